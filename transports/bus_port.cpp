@@ -52,8 +52,8 @@ class BusPort final : public Window, private Stream::Listener {
   }
 
   void listen(Window::Listener* listener) override { listener_ = listener; }
-  // The watchdog dials a connection of its own: after a burst cut short, its bytes would be taken for the
-  // rest of that burst.
+  // The watchdog dials a connection of its own. On this connection its bytes could be taken for the rest of a
+  // message that was cut short.
   [[nodiscard]] WireShare share() const override {
     WireShare share = stream_ ? stream_->share() : WireShare();
     if (share.how != WireShare::How::bytes) return {};
@@ -102,16 +102,16 @@ class BusPort final : public Window, private Stream::Listener {
   }
   void stream_closed(const Fault& why) override { end(why); }
 
-  // A later byte could not be assigned to a reply: a new connection is needed.
+  // A later byte could not be assigned to a reply, so a new connection is needed.
   void give_up() {
     end(gone(fmt::format("The bus port {} has not answered for {:.0f} s.", where_, seconds(longest_silence)),
-             "Check the program that serves it; it is tried again."));
+             "Check the program that serves the port. The console keeps trying."));
   }
   void close(Fault why) {
     if (!stream_) return;
     gone_ = std::move(why);
     stream_->listen(nullptr);
-    // A stream is not destroyed inside its own call.
+    // A stream must not be destroyed inside its own call.
     asio::post(scheduler_.executor(), [gone = std::shared_ptr<Stream>(std::move(stream_))] {});
     deadline_.disarm();
     answered_.resume(scheduler_.executor());
@@ -122,7 +122,7 @@ class BusPort final : public Window, private Stream::Listener {
   }
 
   Scheduler& scheduler_;
-  std::unique_ptr<Stream> stream_;  ///< null: gone
+  std::unique_ptr<Stream> stream_;  ///< null: the connection is lost
   std::string where_;
   Window::Listener* listener_ = nullptr;
   std::string messages_, received_;  // both keep their capacity

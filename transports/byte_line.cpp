@@ -7,10 +7,10 @@
 namespace hw {
 namespace {
 
-// The level of a line on which one byte was sent from t = 0, in units of 1/(sender * receiver) seconds.
+// The level of a line on which a byte was sent from t = 0, in units of 1/(sender * receiver) seconds.
 struct Waveform {
   unsigned frame;    // start bit, data from bit 0, stop bit
-  std::int64_t bit;  // length of a sender's bit
+  std::int64_t bit;  // length of a bit of the sender
 
   [[nodiscard]] bool high_at(std::int64_t t) const {
     const std::int64_t n = t / bit;
@@ -57,7 +57,7 @@ std::string misread(unsigned char byte, int sender_baud, int receiver_baud) {
 }
 
 std::string collided(std::string_view first, std::string_view second) {
-  constexpr std::size_t room = 20 * parts_of_bit;  // for a late last frame
+  constexpr std::size_t room = 20 * parts_of_bit;  // space for a late last frame
   std::vector<bool> low(std::max(length(first), length(second) + behind) + room);
   pull_low(low, first, 0);
   pull_low(low, second, behind);

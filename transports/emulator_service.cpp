@@ -16,7 +16,7 @@ namespace hw {
 
 class ServedStream;
 
-/// The connected clients. Each is a stream owned by the host, and is notified when the service ends.
+/// The connected clients. The host owns the streams of the clients, which are notified when the service ends.
 struct EmulatorService::ServedStreams {
   std::vector<ServedStream*> all;
   std::function<void(int)> changed;
@@ -41,7 +41,7 @@ class ServedStream final : public Stream, private Stream::Listener {
     std::erase(streams_->all, this);
     if (counts_) streams_->count(-1);
   }
-  /// The host releases it: *this is gone afterwards.
+  /// The host releases the stream; *this no longer exists afterwards.
   void leave() {
     if (listener_) listener_->stream_closed(Fault(FaultKind::lost, "The emulator is no longer served."));
   }
@@ -78,12 +78,11 @@ EmulatorService::~EmulatorService() {
   while (!streams_->all.empty()) {
     ServedStream* served = streams_->all.back();
     served->leave();
-    std::erase(streams_->all, served);  // one without a listener is destroyed later
+    std::erase(streams_->all, served);  // a stream without a listener is destroyed later
   }
 }
 
 std::string EmulatorService::address() const { return endpoint_->address(); }
-int EmulatorService::clients() const { return streams_->by_tcp; }
 
 Result<std::unique_ptr<EmulatorService>> EmulatorService::start(Scheduler& scheduler,
                                                                 std::shared_ptr<EmulatorHost> host,
@@ -111,9 +110,9 @@ Result<std::unique_ptr<EmulatorService>> EmulatorService::start(Scheduler& sched
   return service;
 }
 
-Result<std::shared_ptr<EmulatorHost>> host_of_its_own(Scheduler& scheduler, const Address& address) {
+Result<std::shared_ptr<EmulatorHost>> make_private_host(Scheduler& scheduler, const Address& address) {
   const DeviceType* type = find_device_type(address.model);
-  if (!type) return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", address.model));
+  if (!type) return fail(unknown_model(address.model));
   DeviceOptions keys = address.options;
   keys.erase("id");
   const auto catalog = type->make_catalog({});

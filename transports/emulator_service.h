@@ -1,6 +1,7 @@
 #pragma once
 // Serves an emulator to other programs: by TCP, and for a device on a line by a pseudo-terminal too, as
-// `handwheel emulate` does. Clients share its one wire with those already attached. Io thread only.
+// `handwheel emulate` does. New clients share the wire of the emulator with clients already attached. Io
+// thread only.
 #include <functional>
 #include <memory>
 #include <string>
@@ -16,7 +17,7 @@ class TcpEndpoint;
 class EmulatorService {
  public:
   struct Place {
-    int port = 0;          ///< TCP port on this computer; taken or 0: any free one
+    int port = 0;          ///< TCP port on this computer; if taken or 0: any free port
     std::string terminal;  ///< path of the pseudo-terminal; empty: none
   };
   /// `clients_changed` is called with the number of TCP clients.
@@ -29,7 +30,6 @@ class EmulatorService {
 
   [[nodiscard]] std::string address() const;  ///< "127.0.0.1:5801"
   [[nodiscard]] const std::string& terminal() const { return terminal_; }
-  [[nodiscard]] int clients() const;
 
   struct ServedStreams;
 
@@ -42,11 +42,11 @@ class EmulatorService {
   std::string terminal_;
 };
 
-/// A new host with the emulators that an address names: "dmx-k-sa@emulator,id=01-04". A single one also
-/// answers without its id.
-Result<std::shared_ptr<EmulatorHost>> host_of_its_own(Scheduler& scheduler, const Address& address);
+/// Makes a new host with the emulators that an address names: "dmx-k-sa@emulator,id=01-04". A single emulator
+/// answers without its id too.
+Result<std::shared_ptr<EmulatorHost>> make_private_host(Scheduler& scheduler, const Address& address);
 
-/// Path for a pseudo-terminal of this name: in the user's runtime folder, else in the temporary folder.
+/// The path for a pseudo-terminal of this name, in the user's runtime folder, else in the temporary folder.
 std::string terminal_for(const std::string& name);
 
 }  // namespace hw

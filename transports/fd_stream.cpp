@@ -14,7 +14,7 @@ constexpr std::size_t longest_backlog = 1 << 20;
 }
 
 struct FdStream::Io : std::enable_shared_from_this<Io> {
-  FdStream* owner;  // null once the stream is gone
+  FdStream* owner;  // null when the stream was destroyed
   asio::posix::basic_stream_descriptor<Executor> descriptor;
   Kind kind;
   bool reading = false, waiting_to_write = false, ending = false;
@@ -38,8 +38,8 @@ struct FdStream::Io : std::enable_shared_from_this<Io> {
     });
   }
 
-  // Posted behind the work that these bytes have started, so that the next text is sent before the kernel is
-  // asked for more.
+  // Reading is posted behind the work that these bytes have started, so that the next text is sent before the
+  // kernel is asked for more bytes.
   void read_soon() {
     if (std::exchange(reading, true)) return;
     asio::post(descriptor.get_executor(), [self = shared_from_this()] {
@@ -48,7 +48,7 @@ struct FdStream::Io : std::enable_shared_from_this<Io> {
     });
   }
 
-  // Number of bytes taken by the kernel; negative: an errno.
+  // Returns the number of bytes that the kernel took; negative: an errno.
   ssize_t write_now(std::string_view bytes) {
     for (;;) {
       const int fd = descriptor.native_handle();
@@ -81,10 +81,10 @@ struct FdStream::Io : std::enable_shared_from_this<Io> {
   }
 };
 
-FdStream::FdStream(Scheduler& scheduler, int fd, Kind kind, WhenStuck when_stuck)
+FdStream::FdStream(Scheduler& scheduler, int fd, Kind kind, WhenFull when_full)
     : scheduler_(scheduler),
       kind_(kind),
-      when_stuck_(when_stuck),
+      when_full_(when_full),
       io_(std::make_shared<Io>(this, scheduler.executor(), fd, kind)) {}
 
 FdStream::~FdStream() {
@@ -128,7 +128,7 @@ void FdStream::send(std::string_view bytes) {
   }
   if (bytes.empty()) return;
   if (io_->backlog.size() - io_->backlog_sent + bytes.size() > longest_backlog) {
-    if (when_stuck_ == WhenStuck::close)
+    if (when_full_ == WhenFull::close)
       end_soon(Fault(FaultKind::lost, describe() + ": the other side has stopped reading.",
                      "The connection was closed."));
     return;

@@ -1,6 +1,6 @@
 #pragma once
-// A wire inside this process: bytes sent at one end are posted to the other, in order, so that a virtual run
-// replays exactly.
+// A wire inside this process. Bytes sent at one end are posted to the other end in order, so that a virtual
+// run replays exactly.
 #include <memory>
 #include <string>
 #include <utility>
@@ -12,9 +12,9 @@ namespace hw {
 
 struct MemoryWire {
   std::string name = "memory";  ///< for describe()
-  int baud = 0;                 ///< one rate, read and set from both ends; 0: none
+  int baud = 0;                 ///< common rate, which both ends read and set; 0: none
   Fault gone =
-      Fault(FaultKind::lost, "The other end of the wire is gone.");  ///< reported to the remaining end
+      Fault(FaultKind::lost, "The other end of the wire is gone.");  ///< fault reported to the remaining end
 };
 
 /// Destroying one end closes the other.

@@ -65,7 +65,7 @@ Result<BenchFile> read_bench(const std::string& file, const DeviceType& type, co
   return bench;
 }
 
-// The keys of a device, once for each id.
+// The keys of a device, repeated for each id.
 std::vector<DeviceOptions> keys_of_each(DeviceOptions keys, const std::vector<std::string>& ids) {
   std::vector<DeviceOptions> sets;
   for (const std::string& id : ids) {
@@ -108,7 +108,7 @@ Task<Result<Wire>> open_emulator(Scheduler& scheduler, const DeviceType& type, A
   co_return plug_in(host, baud);
 }
 
-// Checks the keys of a device type by its emulator; otherwise a misspelt key would go unnoticed.
+// Checks the keys of a device type by making its emulator, so that a misspelt key is noticed.
 Result<> check_device_keys(const DeviceType& type, const Address& address) {
   if (address.options.empty() || !type.make_emulator) return {};
   for (const Address& device : address.devices())
@@ -129,7 +129,7 @@ Wire real_wire(std::unique_ptr<Stream> stream) {
   return wire;
 }
 
-// baud=, or the model's usual rate.
+// Takes baud=, or the model's usual rate.
 Result<int> take_baud(const DeviceType& type, DeviceOptions& keys) {
   if (const std::string text = take(keys, "baud"); !text.empty()) return read_baud(text);
   const auto catalog = type.make_catalog(keys);
@@ -137,9 +137,9 @@ Result<int> take_baud(const DeviceType& type, DeviceOptions& keys) {
   return catalog->can.usual_baud;
 }
 
-/// A closing controller releases its port only after its last commands have ended. A new opener of the port
-/// waits for that; not for long, as another open tab may hold it as well.
-Task<Result<std::unique_ptr<Stream>>> open_when_let_go(Scheduler& scheduler, std::string path, int baud) {
+/// A controller that closes releases its port only when its last commands have ended. Opening waits for that,
+/// but not for long, because another open tab may hold the port.
+Task<Result<std::unique_ptr<Stream>>> open_once_released(Scheduler& scheduler, std::string path, int baud) {
   constexpr Duration longest = Millis(500), between = Millis(20);
   const Instant given_up = scheduler.now() + longest;
   for (;;) {
@@ -156,7 +156,7 @@ Task<Result<Wire>> open_serial_wire(Scheduler& scheduler, const DeviceType& type
   const auto baud = take_baud(type, address.options);
   if (!baud) co_return fail(baud.error());
   if (auto checked = check_device_keys(type, address); !checked) co_return fail(checked.error());
-  auto stream = co_await open_when_let_go(scheduler, address.where, *baud);
+  auto stream = co_await open_once_released(scheduler, address.where, *baud);
   if (!stream) co_return fail(stream.error());
   co_return real_wire(std::move(*stream));
 }
@@ -207,7 +207,7 @@ Task<Result<Wire>> open_bus_wire(Scheduler& scheduler, const DeviceType& type, A
   co_return real_window(std::move(*window));
 }
 
-// "0xF000", or a plain number.
+// Takes base=: "0xF000", or a plain number.
 Result<std::uint32_t> take_base(DeviceOptions& keys) {
   const std::string text = take(keys, "base", "0xF000");
   char* end = nullptr;
@@ -254,7 +254,7 @@ Result<> check_kind(const TransportInfo& transport, const DeviceType& type) {
 Task<Result<Wire>> open_wire(Scheduler& scheduler, Address address, std::shared_ptr<BenchAccess> again,
                              std::shared_ptr<const OpenOptions> options) {
   const DeviceType* type = find_device_type(address.model);
-  if (!type) co_return bad(fmt::format("There is no controller model \"{}\".", address.model), {});
+  if (!type) co_return fail(unknown_model(address.model));
   const TransportInfo* transport = find_transport(address.transport);
   if (transport) {
     if (auto fits = check_kind(*transport, *type); !fits) co_return fail(fits.error());

@@ -1,7 +1,7 @@
 #pragma once
-// From an address to an open wire: the table of transports. Their keys: baud (serial, rfc2217, emulator),
-// and for the in-process emulator wire=real|off, speed=X, state=FILE, bench=FILE. All other keys belong to
-// the device type.
+// Opens the wire of an address: the table of transports. Keys of transports are baud (serial, rfc2217,
+// emulator), and for the in-process emulator wire=real|off, speed=X, state=FILE, bench=FILE. All other keys
+// belong to the device type.
 #include <memory>
 
 #include "core/device/registry.h"
@@ -11,7 +11,7 @@
 namespace hw {
 
 struct OpenOptions {
-  /// Failures beside the wire (a state file that cannot be written).
+  /// Receives failures other than those of the wire (a state file that cannot be written).
   Trouble trouble;
   /// Ends a held jog when this program dies; null: no watchdog runs.
   std::shared_ptr<WillKeeper> keeper;
@@ -19,9 +19,9 @@ struct OpenOptions {
 
 WireOpener make_wire_opener(OpenOptions options = {});
 
-/// Emulated controllers ready to be served or plugged in: one for each of `ids`, all on one wire; `ids`
-/// empty: one with its usual id. `keys`: keys of the emulator transport and of the device type, as in an
-/// address.
+/// Makes emulated controllers, ready to be served or plugged in: one for each of `ids`, all on the same wire.
+/// Empty `ids`: one with its usual id. `keys` are those of the emulator transport and of the device type, as
+/// in an address.
 Result<std::shared_ptr<EmulatorHost>> make_emulator_host(Scheduler& scheduler, const DeviceType& type,
                                                          DeviceOptions keys,
                                                          const std::vector<std::string>& ids,

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// WIRE-FACTS of the maker's library.
+// WIRE-FACTS about the maker's library.
 constexpr int vendor = 0x1589, product = 0xA101;
 constexpr int configuration = 1, interface = 0;
 constexpr unsigned char endpoint_out = 0x02, endpoint_in = 0x82;
@@ -35,7 +35,7 @@ constexpr std::size_t transfer_size = 64;
 constexpr std::uint8_t request_type = 0x40, request = 0x02;
 enum Control : std::uint16_t { control_flush = 1, control_open = 2, control_close = 4 };
 
-constexpr unsigned patience_ms = 500;  // for a control transfer, and for sending a command
+constexpr unsigned patience_ms = 500;  // time for a control transfer, and for sending a command
 constexpr unsigned drain_ms = 40;
 
 struct FreeTransfer {
@@ -45,7 +45,8 @@ using Transfer = std::unique_ptr<libusb_transfer, FreeTransfer>;
 
 }  // namespace
 
-// One open controller: transfers and a clean close. The handlers of pending transfers keep it alive.
+// An open controller: its transfers and a clean close. The handlers of pending transfers keep this object
+// alive.
 struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
   Scheduler& scheduler;
   std::unique_ptr<UsbLoop> loop;
@@ -70,15 +71,15 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
     libusb_close(std::exchange(handle, nullptr));
   }
 
-  /// One pending transfer; its length, or a libusb_transfer_status.
-  struct Under {
+  /// A pending transfer.
+  struct PendingTransfer {
     Transfer transfer{libusb_alloc_transfer(0)};
     std::array<unsigned char, LIBUSB_CONTROL_SETUP_SIZE + transfer_size> bytes{};
     bool under_way = false;
     PerformaxWire* wire = nullptr;
     void (PerformaxWire::*done)() = nullptr;
   };
-  Under control_, out_, in_;
+  PendingTransfer control_, out_, in_;
   Event moved;
   std::deque<std::string> waiting;
   bool closing = false, reading = false, over = false;
@@ -86,12 +87,12 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
 
   [[nodiscard]] bool busy() const { return control_.under_way || out_.under_way || in_.under_way; }
   void cancel() {
-    for (Under* u : {&control_, &out_, &in_})
+    for (PendingTransfer* u : {&control_, &out_, &in_})
       if (u->under_way) libusb_cancel_transfer(u->transfer.get());
   }
 
   static void LIBUSB_CALL finished(libusb_transfer* transfer) {
-    auto& under = *static_cast<Under*>(transfer->user_data);
+    auto& under = *static_cast<PendingTransfer*>(transfer->user_data);
     under.under_way = false;
     PerformaxWire& wire = *under.wire;
     if (wire.weak_from_this().expired()) return;  // during destruction
@@ -99,7 +100,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
     if (under.done && !wire.closing) (wire.*under.done)();
     wire.moved.notify();
   }
-  bool submit(Under& under) {
+  bool submit(PendingTransfer& under) {
     under.wire = this;
     submitted = libusb_submit_transfer(under.transfer.get());
     under.under_way = submitted == LIBUSB_SUCCESS;
@@ -142,8 +143,8 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
                               finished, &in_, 0);
     if (!submit(in_)) end_soon(why_not_submitted());
   }
-  // A reply includes its closing zero. A transfer without one was cut off: half a number must not be taken
-  // for a whole one.
+  // A reply includes its closing zero. A transfer without it was cut off, and half a number must not be taken
+  // for a whole number.
   void reply_came() {
     const auto status = in_.transfer->status;
     if (status == LIBUSB_TRANSFER_COMPLETED) {
@@ -176,7 +177,7 @@ struct PerformaxWire : std::enable_shared_from_this<PerformaxWire> {
   }
   void written() {
     if (out_.transfer->status == LIBUSB_TRANSFER_NO_DEVICE) return end_soon("it was unplugged");
-    write_next();  // an unsent text is noticed by its missing reply
+    write_next();  // a text that was not sent is noticed by its missing reply
   }
 
   void end_soon(const char* why) {
@@ -276,8 +277,8 @@ std::string node_of(const PerformaxDevice& device) {
   return fmt::format("/dev/bus/usb/{:03}/{:03}", device.bus, device.number);
 }
 
-// The library does not give its descriptor. A process that shares the open file may write to the interface
-// claimed through it.
+// Finds the library's descriptor, which it does not give. A process that shares the open file may write to
+// the interface that was claimed through it.
 int file_of(const std::string& node) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator("/proc/self/fd", error))

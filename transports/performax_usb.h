@@ -1,6 +1,6 @@
 #pragma once
-// The USB wire of Performax controllers, in the format of the maker's library: one command in a transfer of
-// 64 bytes, zero-filled; one reply in another, up to its first zero. No address, no terminator.
+// The USB wire of Performax controllers, in the format of the maker's library: a command is a transfer of 64
+// bytes, zero-filled; a reply is another, up to its first zero. There is no address and no terminator.
 #include <functional>
 #include <memory>
 #include <string>
@@ -16,20 +16,20 @@ struct PerformaxDevice {
   std::string serial;   ///< the device's name in lower case, as in an address: "4ex00"
   std::string product;  ///< "Performax USB"
   int bus = 0, number = 0;
-  bool permitted = true;  ///< this user may open it
+  bool permitted = true;  ///< this user may open the device
 };
 
 /// Advice for a user who may not open the device.
 extern const char* const udev_advice;
 
-/// The devices plugged in now, permitted or not. Opens none; any thread.
+/// The devices plugged in now, permitted or not. Opens no device. Any thread.
 std::vector<PerformaxDevice> list_performax(const std::string& sys = "/sys");
 
-/// `serial` empty: the only device. Resumes when the controller listens and its old output is discarded. The
-/// fault includes the remedy, also for missing permission.
+/// Opens the device `serial`; empty: the only device. Resumes when the controller listens and its old output
+/// is discarded. The fault includes the remedy, also for missing permission.
 Task<Result<std::unique_ptr<Stream>>> open_performax_usb(Scheduler& scheduler, std::string serial);
 
-/// Calls `changed` (io thread) whenever a device is plugged in or unplugged, and once at the start, as
+/// Calls `changed` (io thread) when a device is plugged in or unplugged, and once at the start, because
 /// earlier changes were not seen. Destroy it on the io thread.
 class PerformaxWatch {
  public:

@@ -24,7 +24,8 @@ std::string describe(const std::string& proc, const std::string& process) {
   return name.empty() ? fmt::format("process {}", process) : fmt::format("{} (process {})", name, process);
 }
 
-// /proc/locks, readable by every user: `1: FLOCK  ADVISORY  WRITE 4182 00:1c:5 0 EOF`.
+// Finds the process that has locked the device in /proc/locks, which every user may read: `1: FLOCK  ADVISORY
+// WRITE 4182 00:1c:5 0 EOF`.
 std::string locker(const std::string& proc, const struct stat& device) {
   const std::string place =
       fmt::format("{:02x}:{:02x}:{}", major(device.st_dev), minor(device.st_dev), device.st_ino);

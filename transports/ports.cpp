@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 int hex(const std::string& digits) { return static_cast<int>(std::strtol(digits.c_str(), nullptr, 16)); }
 
-// The kernel lists all possible 8250 ports; type 0 (PORT_UNKNOWN): no port was found.
+// Whether the port has hardware. The kernel lists all possible 8250 ports; type 0 (PORT_UNKNOWN) means that
+// no port was found.
 bool is_real(const fs::path& tty) {
   const std::string name = tty.filename();
   std::error_code error;
@@ -39,7 +40,7 @@ void read_usb_names(const fs::path& tty, SerialPort& port) {
   }
 }
 
-std::map<std::string, std::string> lasting_names(const fs::path& dev) {
+std::map<std::string, std::string> stable_names(const fs::path& dev) {
   std::map<std::string, std::string> names;  // ttyUSB0 -> /dev/serial/by-id/...
   std::error_code error;
   for (const auto& link : fs::directory_iterator(dev / "serial" / "by-id", error)) {
@@ -74,7 +75,7 @@ std::string SerialPort::label() const {
 
 std::vector<SerialPort> list_serial_ports(const std::string& sys, const std::string& dev) {
   std::vector<SerialPort> ports;
-  const auto names = lasting_names(dev);
+  const auto names = stable_names(dev);
   std::error_code error;
   for (const auto& tty : fs::directory_iterator(fs::path(sys) / "class" / "tty", error)) {
     if (!is_real(tty.path())) continue;

@@ -43,7 +43,7 @@ struct Terminal {
   std::string name;
 };
 
-// Resets the terminal: no unread bytes, raw, at `baud`, no exclusive mode left by the last client.
+// Resets the terminal: no unread bytes, raw mode, `baud`, no exclusive mode of the last client.
 bool make_as_new(const std::string& name, int baud) {
   const int slave = ::open(name.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (slave < 0) return false;
@@ -84,7 +84,7 @@ class OpenNotice : public std::enable_shared_from_this<OpenNotice> {
       : notices_(scheduler.executor()), opened_(std::move(opened)) {
     if (const int fd = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC); fd >= 0) notices_.assign(fd);
   }
-  /// False: no watch left in the system.
+  /// Returns false when the system has no watch left.
   bool watch(const std::string& file) {
     if (!notices_.is_open()) return false;
     watch_ = ::inotify_add_watch(notices_.native_handle(), file.c_str(), IN_OPEN);
@@ -126,12 +126,13 @@ class OpenNotice : public std::enable_shared_from_this<OpenNotice> {
   bool waiting_ = false;
 };
 
-// The kernel shows whether a client is there: without one, the master reads EIO and is hung up. Bytes sent
-// without a client are lost, as on a serial line, and reading stops until the next client opens.
+// The kernel shows whether there is a client: without a client, the master reads EIO and is hung up. Bytes
+// sent without a client are lost, as on a serial line, and reading stops until the next client opens the
+// terminal.
 class PtyEndpoint final : public FdStream {
  public:
   PtyEndpoint(Scheduler& scheduler, const Terminal& terminal, std::string link, int baud)
-      : FdStream(scheduler, terminal.master, Kind::tty, WhenStuck::lose),
+      : FdStream(scheduler, terminal.master, Kind::tty, WhenFull::lose),
         terminal_(terminal.name),
         link_(std::move(link)),
         baud_(baud),
@@ -144,14 +145,14 @@ class PtyEndpoint final : public FdStream {
     if (n > 0 && terminal_ == std::string_view(target, static_cast<std::size_t>(n))) ::unlink(link_.c_str());
   }
 
-  // Linux would keep bytes written without a client for the next one.
+  // Without this check Linux keeps bytes written without a client for the next client.
   void send(std::string_view bytes) override {
     if (!hung_up()) FdStream::send(bytes);
   }
 
   Result<> set_rate(int) override { return {}; }  // the client sets the rate
   [[nodiscard]] int rate() const override {
-    termios settings{};  // on the master, Linux gives the client's settings
+    termios settings{};  // on the master, Linux returns the client's settings
     return ::tcgetattr(fd(), &settings) == 0 ? baud_of(::cfgetospeed(&settings)) : 0;
   }
   [[nodiscard]] std::string describe() const override { return "pty:" + link_; }
@@ -163,8 +164,8 @@ class PtyEndpoint final : public FdStream {
                  fmt::format("The pseudo-terminal {} failed ({}).", link_, std::strerror(error)));
   }
   void reading_stopped() override {
-    if (!hung_up()) return read_on();  // the next client is there already: keep its settings
-    notice_->unwatch();                // else it would notice our own open
+    if (!hung_up()) return read_on();  // the next client has opened it already: keep its settings
+    notice_->unwatch();                // otherwise it would notice our own open
     if (!make_as_new(terminal_, baud_) && errno == EBUSY) renew();
     if (!notice_->watch(terminal_)) look_again_.arm(scheduler().now() + Millis(50));
     if (!hung_up()) read_on();
@@ -174,8 +175,8 @@ class PtyEndpoint final : public FdStream {
     ::poll(&master, 1, 0);
     return (master.revents & POLLHUP) != 0;
   }
-  // Replaces a terminal that a client left in exclusive mode when it died, which locks out all but root for
-  // good.
+  // Replaces a terminal that a client left in exclusive mode when it died. Otherwise only root could open it
+  // again.
   void renew() {
     const auto fresh = make_terminal(link_, baud_);
     if (!fresh) return;

@@ -23,11 +23,11 @@ class Rfc2217Stream final : public FdStream {
     telnet::escape(bytes, wire_);
     FdStream::send(wire_);
   }
-  // Sent after all earlier bytes. If the server confirms another rate, the stream ends.
+  // The request is sent after all earlier bytes. If the server confirms another rate, the stream ends.
   Result<> set_rate(int baud) override {
     if (baud == baud_) return {};
     baud_ = baud;
-    ++rates_owed_;
+    ++unanswered_rates_;
     wire_.clear();
     telnet::ask_rate(baud, wire_);
     FdStream::send(wire_);
@@ -45,7 +45,7 @@ class Rfc2217Stream final : public FdStream {
                  fmt::format("{} does not accept {} baud (it uses {}).", server_, baud_, *word().baud),
                  "The connection was closed.", "Choose another rate, or set the port of the server.");
   }
-  std::function<void()> negotiated;  ///< called when the server has reported on its port
+  std::function<void()> negotiated;  ///< called when the server has confirmed the settings of its port
 
  private:
   void received(std::string_view bytes) override {
@@ -58,8 +58,8 @@ class Rfc2217Stream final : public FdStream {
     if (negotiated) {
       negotiated();
     } else if (replies > 0) {  // only the last reply answers the last request
-      rates_owed_ = std::max(0, rates_owed_ - replies);
-      if (rates_owed_ == 0 && word().baud != baud_) end_soon(wrong_rate());
+      unanswered_rates_ = std::max(0, unanswered_rates_ - replies);
+      if (unanswered_rates_ == 0 && word().baud != baud_) end_soon(wrong_rate());
     }
     if (!data_.empty()) deliver(data_);
   }
@@ -67,7 +67,7 @@ class Rfc2217Stream final : public FdStream {
 
   std::string server_;
   int baud_;
-  int rates_owed_ = 0;  ///< set_rate() requests without a reply yet
+  int unanswered_rates_ = 0;  ///< set_rate() requests without a reply yet
   telnet::Receiver receiver_;
   std::string wire_, data_, reply_;  // keep their capacity
 };

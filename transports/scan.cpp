@@ -15,7 +15,7 @@ namespace hw {
 namespace {
 
 constexpr Duration patience = Millis(150);  // for the first byte, with a busy controller or a slow adapter
-constexpr Duration quiet = Millis(25);      // ends a reply; an adapter may deliver it in pieces
+constexpr Duration quiet = Millis(25);      // silence that ends a reply; an adapter may deliver it in pieces
 
 struct Received final : Stream::Listener {
   explicit Received(Scheduler& s) : scheduler(s), news(s) {}
@@ -35,7 +35,7 @@ struct Received final : Stream::Listener {
   }
 };
 
-// Waits for a reply and its end; bounded, as a device may send unasked.
+// Waits for a reply and its end. The time is bounded, because a device may send without being asked.
 Task<> receive_all(Scheduler& scheduler, Received& received, Duration first_byte, int baud) {
   const Instant at_most = scheduler.now() + Millis(400);
   Instant until = scheduler.now() + first_byte;
@@ -59,7 +59,7 @@ std::string question_to(std::string_view probe, const std::string& id) {
   return text;
 }
 
-// The type that recognises a reply, among those with the same probe.
+// The type that recognises a reply, among the types with the same probe.
 const DeviceType* find_author(std::string_view probe, std::string_view reply) {
   for (const DeviceType& type : device_types())
     if (type.probe == probe && type.recognises && type.recognises(reply)) return &type;
@@ -148,10 +148,10 @@ std::string PortReport::sentence() const {
     case PortFinding::garbled:
       if (!id.empty())
         return fmt::format(
-            "At {} baud the reply to id {} makes no sense: {}. Connect one device alone: two may have the "
-            "same id, or the rate may be another.",
+            "At {} baud the reply to id {} is not understood: {}. Connect one device alone: two may have the "
+            "same id, or the rate may be wrong.",
             baud, id, printable(reply));
-      return fmt::format("At {} baud the reply makes no sense: {}. Check the model and the rate.", baud,
+      return fmt::format("At {} baud the reply is not understood: {}. Check the model and the rate.", baud,
                          printable(reply));
     default: return fault.sentence();
   }
@@ -159,7 +159,7 @@ std::string PortReport::sentence() const {
 
 namespace {
 
-Result<std::unique_ptr<Stream>> open_for_asking(Scheduler& scheduler, PortReport& report) {
+Result<std::unique_ptr<Stream>> open_for_probe(Scheduler& scheduler, PortReport& report) {
   PortRefusal refusal = PortRefusal::none;
   auto stream = open_serial(scheduler, report.port.path, 9600, &refusal);
   if (!stream) {
@@ -174,7 +174,7 @@ Result<std::unique_ptr<Stream>> open_for_asking(Scheduler& scheduler, PortReport
 Task<PortReport> probe_port(Scheduler& scheduler, SerialPort port) {
   PortReport report;
   report.port = std::move(port);
-  const auto stream = open_for_asking(scheduler, report);
+  const auto stream = open_for_probe(scheduler, report);
   if (!stream) co_return report;
   for (const DeviceType& type : device_types()) {
     const bool answered = co_await ask_as(scheduler, **stream, type, report);
@@ -197,7 +197,7 @@ Task<std::vector<PortReport>> scan_ports(Scheduler& scheduler, std::vector<Seria
 
 namespace {
 
-constexpr Duration patience_of_search = Millis(50);  // addressed devices answer fast or not at all
+constexpr Duration patience_of_search = Millis(50);  // addressed devices answer quickly or not at all
 
 // The probes for devices on a shared line, each with the rates of its types.
 std::map<std::string_view, std::set<int>> addressed_probes(const std::vector<int>& bauds) {
@@ -211,7 +211,7 @@ std::map<std::string_view, std::set<int>> addressed_probes(const std::vector<int
   return probes;
 }
 
-// Asks first for a controller without an address: it might take the others' questions for commands.
+// Asks first for a controller without an address, which might take addressed questions for commands.
 Task<bool> line_is_taken(Scheduler& scheduler, Stream& stream, PortReport& report) {
   for (const DeviceType& type : device_types()) {
     const auto catalog = type.make_catalog({});
@@ -252,7 +252,7 @@ class Search {
     PortReport report;
     report.port = port;
     progress_.port = port.path;
-    const auto stream = open_for_asking(scheduler_, report);
+    const auto stream = open_for_probe(scheduler_, report);
     if (!stream) {
       if (on_report_) on_report_(report);
       co_return;

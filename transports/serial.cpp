@@ -51,7 +51,8 @@ std::string group_of(const std::string& path) {
   return owner ? owner->gr_name : std::to_string(there.st_gid);
 }
 
-/// Users do not join root's group, and a group without rights does not help.
+/// Whether joining the file's group helps. Users do not join root's group, and a group without rights does
+/// not help.
 bool group_helps(const std::string& path) {
   struct stat there {};
   if (::stat(path.c_str(), &there) != 0) return true;
@@ -108,7 +109,8 @@ bool taken_exclusively(int fd, const std::string& path) {
   return !pty && ::ioctl(fd, TIOCGEXCL, &exclusive) == 0 && exclusive != 0 && !port_holder(path).empty();
 }
 
-// USB adapters delay bytes by up to 16 ms unless told not to. Best effort: not every driver supports it.
+// USB adapters delay bytes by up to 16 ms unless asked not to. Not all drivers support it, so a failure is
+// ignored.
 void ask_for_low_latency(int fd) {
   serial_struct settings{};
   if (::ioctl(fd, TIOCGSERIAL, &settings) != 0) return;
@@ -144,7 +146,8 @@ class SerialStream final : public FdStream {
     ::tcflush(fd(), TCIFLUSH);
   }
 
-  // Bytes still in the kernel are sent at the old rate first; a few at most, as one transaction is in flight.
+  // Bytes still in the kernel are sent at the old rate first. They are few, because only one transaction is
+  // in flight.
   Result<> set_rate(int baud) override {
     if (fd() < 0) return fail(why_ended(EIO));
     int waiting = 0;
@@ -161,7 +164,7 @@ class SerialStream final : public FdStream {
     const bool pulled = error == 0 || error == EIO || error == ENXIO || error == ENODEV;
     return gone(pulled ? fmt::format("{} is gone: the cable was pulled or the adapter switched off.", path_)
                        : fmt::format("{} failed: {}.", path_, std::strerror(error)),
-                "Plug it in again; it is opened again by itself.");
+                "Plug it in again. The console then opens it again.");
   }
 
   std::string path_;
@@ -177,7 +180,7 @@ tl::expected<int, Refused> open_exclusively(const std::string& path) {
   };
   if (!::isatty(fd)) return refuse(errno == EIO ? other(path, EIO) : not_serial(path));
   if (taken_exclusively(fd, path))
-    return refuse(busy(path));  // before our lock, which would look like a holder
+    return refuse(busy(path));  // before we lock it, because our lock would look like a holder
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0) return refuse(busy(path));
   ::ioctl(fd, TIOCEXCL);
   return fd;
@@ -201,7 +204,7 @@ Result<std::unique_ptr<Stream>> open_serial(Scheduler& scheduler, const std::str
     return fail(set.error());
   }
   ask_for_low_latency(*fd);
-  ::tcflush(*fd, TCIOFLUSH);  // bytes from before are no replies to us
+  ::tcflush(*fd, TCIOFLUSH);  // earlier bytes are not replies to us
   return stream;
 }
 

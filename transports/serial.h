@@ -1,5 +1,5 @@
 #pragma once
-// A serial port, or a pseudo-terminal in its place: raw, 8N1, no flow control, opened exclusively.
+// Opens a serial port, or a pseudo-terminal in its place: raw, 8N1, no flow control, exclusive.
 #include <memory>
 #include <string>
 
@@ -11,8 +11,8 @@ namespace hw {
 /// Why a port could not be opened, for callers that distinguish the cases.
 enum class PortRefusal { none, missing, busy, not_permitted, not_serial, other };
 
-/// Locks the port in both ways: flock, which also binds root, and TIOCEXCL, which also binds programs that do
-/// not lock. The fault names the port and the program that holds it.
+/// Opens the port and locks it in both ways: flock, which binds root too, and TIOCEXCL, which binds programs
+/// that do not lock. The fault names the port and the program that holds it.
 Result<std::unique_ptr<Stream>> open_serial(Scheduler& scheduler, const std::string& path, int baud,
                                             PortRefusal* refusal = nullptr);
 

@@ -44,7 +44,7 @@ static Result<> check_folder(const std::filesystem::path& path) {
               "Nothing is served.", "Create the folder, or choose another place.");
 }
 
-// One controller on the wire, with its bench and its state file.
+// A controller on the wire, with its bench and its state file.
 class EmulatorHost::Device final : public BenchAccess {
  public:
   Device(EmulatorHost& host, std::unique_ptr<Emulator> e) : host_(host), emulator_(std::move(e)) {}
@@ -102,7 +102,7 @@ class EmulatorHost::Device final : public BenchAccess {
     look(view);
     if (view == seen_) return;
     seen_ = view;
-    const auto notify = changed;  // it may replace itself
+    const auto notify = changed;  // the callback may replace itself
     notify();
   }
 
@@ -192,7 +192,7 @@ int EmulatorHost::line_rate() const { return devices_.front()->own().rate(); }
 
 void EmulatorHost::alarm() {
   const auto keep = shared_from_this();
-  run_until(std::max(emulator_time(), armed_for_));  // scaling rounds; the armed time is due in any case
+  run_until(std::max(emulator_time(), armed_for_));  // scaling rounds, but the armed time is due in any case
 }
 
 void EmulatorHost::advance(Instant when) const {
@@ -200,7 +200,7 @@ void EmulatorHost::advance(Instant when) const {
   for (const auto& device : devices_) device->own().advance_to(reached_);
 }
 
-// Runs everything due, in order and at its own time however late the alarm, then goes to the present.
+// Runs all due events in order, each at its own time however late the alarm, then goes on to the present.
 void EmulatorHost::catch_up(Instant now) {
   for (Instant next = next_due(); next <= now; next = next_due()) step_to(next);
   step_to(now);
@@ -219,7 +219,7 @@ void EmulatorHost::step_to(Instant when) {
     for (const auto& device : devices_) (void)apply(*device, command);  // no caller waits for the result
   }
   while (incoming_.due() <= when) {
-    reply_.late_by = reached_ - incoming_.due();  // by a late question
+    reply_.late_by = reached_ - incoming_.due();  // delay of a late question
     land(incoming_.first());
     incoming_.pop(line_rate());
   }
@@ -265,7 +265,7 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   } else if (devices_.size() == 1) {
     devices_.front()->own().receive(bytes);
   } else {
-    for (const char c : bytes) {  // byte by byte, so that simultaneous replies collide
+    for (const char c : bytes) {  // one byte at a time, so that simultaneous replies collide
       for (const auto& device : devices_) device->own().receive(std::string_view(&c, 1));
       take_output();
     }
@@ -273,9 +273,9 @@ void EmulatorHost::bytes_from(const Client& client, std::string_view bytes) {
   run_until(now);
 }
 
-// A real timer fires late, so the client gets its reply late, and the kernel takes time to wake it and to
-// return its next question. If the client asks at once, this delay is ours and the kernel's and does not
-// count as time on the wire. A client that asks later was not delayed.
+// A real timer fires late, so the client gets its reply late. The kernel takes time to wake the client and to
+// return its next question. If the client asks at once, this delay does not count as time on the wire. A
+// client that asks later was not delayed.
 Duration EmulatorHost::time_off_the_wire(Instant now) {
   const std::optional<Duration> late = std::exchange(reply_.late, std::nullopt);
   if (!late) return {};
@@ -336,12 +336,10 @@ void EmulatorHost::spoil(std::string& bytes) {
 // ---- bench ----
 
 Result<std::unique_ptr<Stream>> EmulatorHost::plug_in(int baud) {
-  if (faults_.unplugged)
-    return fail(FaultKind::port, fmt::format("The cable of the {} is pulled.", options_.name),
-                "Nothing was opened.", "Plug it in again on the bench.");
+  if (faults_.unplugged) return fail(cable_is_out(options_.name));
   MemoryWire wire;
   wire.name = options_.name;
-  wire.gone = gone(fmt::format("The cable of the {} was pulled.", options_.name), "Plug it in again.");
+  wire.gone = cable_pulled(options_.name);
   if (options_.byte_times) wire.baud = baud != 0 ? baud : line_rate();
   auto [ours, theirs] = make_memory_pair(scheduler_, std::move(wire));
   add_client(std::move(ours), true);
@@ -370,7 +368,7 @@ Result<> EmulatorHost::operate(Device& device, const BenchCommand& command) {
   return done;
 }
 
-// Switches belong to one device, the wire to all.
+// Switches belong to a device, the wire to all devices.
 Result<> EmulatorHost::apply(Device& device, const BenchCommand& command) {
   if (const auto* unplug = std::get_if<bench::Unplug>(&command)) {
     pull_cable(unplug->on);

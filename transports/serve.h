@@ -1,12 +1,12 @@
 #pragma once
-// Gives emulators a clock and a wire: one controller, or several on the same line (RS-485). Every attached
-// stream is an end of that wire: bytes of any client reach each controller, bytes of a controller reach every
-// client, and bytes that two controllers send at once arrive as garbage. Io thread only.
+// Gives emulators a clock and a wire: a single controller, or several on the same line (RS-485). Each
+// attached stream is an end of that wire. Bytes of a client reach all controllers, bytes of a controller
+// reach all clients, and bytes that two controllers send at once arrive as garbage. Io thread only.
 //
-// Time: the emulators' time is zero when their host is made and runs `speed` times as fast as the
-// scheduler's. With `byte_times` a byte takes effect when its last bit has arrived and leaves ten bit times
-// after the byte before it, at the rate of the first controller; an end at another rate garbles both ways.
-// Without `byte_times` the wire has no rate and no delay.
+// Time: the emulators' time is zero when their host is made, and runs `speed` times as fast as the
+// scheduler's time. With `byte_times` a byte takes effect when its last bit has arrived and leaves ten bit
+// times after the byte before it, at the rate of the first controller; an end at another rate garbles both
+// ways. Without `byte_times` the wire has no rate and no delay.
 #include <deque>
 #include <memory>
 #include <string>
@@ -24,20 +24,20 @@ struct HostOptions {
   std::string name = "emulator";  ///< for messages: "vxm emulator"
   bool byte_times = false;
   double speed = 1;
-  /// Empty: the memory is lost at the end. Each of several controllers has its own file: this name, a dot and
-  /// its id.
+  /// The file of the memory; empty: the memory is lost at the end. Each of several controllers has a file of
+  /// its own: this name, a dot and its id.
   std::string state_file;
 };
 
 struct HostedDevice {
-  std::string id;  ///< on a line with several: "07"
+  std::string id;  ///< on a line with several devices: "07"
   std::unique_ptr<Emulator> emulator;
 };
 
 class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
  public:
-  /// At least one device. Loads existing state files. `trouble` is called for a state file that could not be
-  /// written, and for a bus port client that was disconnected.
+  /// Makes a host with at least one device. Loads existing state files. `trouble` is called when a state file
+  /// could not be written, and when a bus port client was disconnected.
   static Result<std::shared_ptr<EmulatorHost>> make(Scheduler& scheduler, std::vector<HostedDevice> devices,
                                                     HostOptions options, Trouble trouble = {});
   static Result<std::shared_ptr<EmulatorHost>> make(Scheduler& scheduler, std::unique_ptr<Emulator> emulator,
@@ -47,23 +47,24 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   /// Adds a client's end (an accepted connection, a pty's master side) until it closes. While the cable is
   /// pulled the client stays open and its bytes are lost.
   void attach(std::unique_ptr<Stream> client);
-  /// The end of a new cable in this process. It closes when the cable is pulled; a fault while it is.
-  /// `baud` is the rate of the client's port; 0: that of the controller.
+  /// Returns the end of a new cable in this process. It closes when the cable is pulled. A fault while the
+  /// cable is pulled. `baud` is the rate of the client's port; 0: that of the controller.
   Result<std::unique_ptr<Stream>> plug_in(int baud = 0);
 
-  /// The device is a board in a memory window, reached by the next two functions only.
+  /// Whether the device is a board in a memory window, which only the next two functions reach.
   [[nodiscard]] bool is_board() const { return board() != nullptr; }
-  /// The window of a new host in this process. It closes when the cable is pulled; a fault while it is.
+  /// Returns a window onto the board in this process. It closes when the cable is pulled. A fault while the
+  /// cable is pulled.
   Result<std::unique_ptr<Window>> plug_in_window();
   /// Adds a client of a bus port until it closes or sends an invalid message.
   void attach_bus(std::unique_ptr<Stream> client);
 
-  /// The bench of one device. It keeps the host alive.
+  /// The bench of a device. It keeps the host alive.
   [[nodiscard]] std::shared_ptr<BenchAccess> bench(std::size_t device = 0);
   [[nodiscard]] std::size_t device_count() const { return devices_.size(); }
   /// The host of a bench; null: the bench has no EmulatorHost.
   static std::shared_ptr<EmulatorHost> of(const std::shared_ptr<BenchAccess>& bench);
-  /// Sets each device on such a bench: start commands of the file are carried out now, the rest in the
+  /// Sets each device on such a bench. Start commands of the file are carried out now, the rest in the
   /// emulators' time from now on.
   Result<> set_up(const BenchFile& bench);
 
@@ -76,21 +77,22 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   class HostWindow;
   struct BusClient;
   static constexpr Duration at_once = Millis(2);
-  /// Time the kernel takes to pass a reply to another program and the next question back to this one.
+  /// Time that the kernel takes to pass a reply to another program and its next question back to this
+  /// program.
   static constexpr Duration hand_over = std::chrono::microseconds(400);
 
-  /// Of the last reply, until the next question.
+  /// The last reply, until the next question.
   struct LastReply {
     Instant left_at{};             ///< when its last byte was due to leave; emulated time
-    std::optional<Duration> late;  ///< of its sending
-    Duration late_by{};            ///< as the question was
+    std::optional<Duration> late;  ///< delay of its sending
+    Duration late_by{};            ///< delay of the question
   };
-  /// Output just taken, and at the end of the wire, which is all sent at this rate.
+  /// Output that was just taken, all sent at this rate.
   struct Sent {
     std::string fresh, leaving;
     int baud = 0;
   };
-  /// Of the cable, by the bench.
+  /// Faults of the cable, made by the bench.
   struct Faults {
     bool unplugged = false;
     int to_garble = 0, to_drop = 0, garbled = 0;  ///< bytes
@@ -131,8 +133,8 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   Trouble trouble_;
   Instant began_;
   Timer timer_;
-  Instant armed_for_{};        // this and `reached_` in emulated time
-  mutable Instant reached_{};  // reading advances time too
+  Instant armed_for_{};        // emulated time, as `reached_`
+  mutable Instant reached_{};  // reading the clock advances it too
   ByteLine incoming_, outgoing_;
   LastReply reply_;
   Sent sent_;
@@ -141,7 +143,7 @@ class EmulatorHost final : public std::enable_shared_from_this<EmulatorHost> {
   std::vector<HostWindow*> windows_;
   std::vector<std::shared_ptr<BusClient>> bus_clients_;
   Faults faults_;
-  std::deque<TimedBenchCommand> plan_;  // for each device; `at` in emulated time, earliest first
+  std::deque<TimedBenchCommand> plan_;  // commands for each device; `at` is emulated time, earliest first
 };
 
 }  // namespace hw

@@ -1,5 +1,5 @@
-// An emulated board in a memory window: all windows onto it, in this process or over a bus port, run cycles
-// on the same board, at the present time.
+// Serves an emulated board in a memory window. All windows onto it, in this process or over a bus port, run
+// cycles on the same board, at the present time.
 #include <algorithm>
 
 #include <fmt/core.h>
@@ -11,7 +11,7 @@
 
 namespace hw {
 
-/// The end in this process.
+/// The window in this process.
 class EmulatorHost::HostWindow final : public Window {
  public:
   explicit HostWindow(std::shared_ptr<EmulatorHost> host) : host_(std::move(host)) {
@@ -35,7 +35,7 @@ class EmulatorHost::HostWindow final : public Window {
     post([vector](Listener& listener) { listener.interrupted(vector); });
   }
   void pull() {
-    gone_ = gone(fmt::format("The cable of the {} was pulled.", host_->options_.name), "Plug it in again.");
+    gone_ = cable_pulled(host_->options_.name);
     post([why = gone_](Listener& listener) { listener.window_closed(why); });
     host_ = nullptr;
   }
@@ -87,9 +87,7 @@ struct EmulatorHost::BusClient final : Stream::Listener {
 };
 
 Result<std::unique_ptr<Window>> EmulatorHost::plug_in_window() {
-  if (faults_.unplugged)
-    return fail(FaultKind::port, fmt::format("The cable of the {} is pulled.", options_.name),
-                "Nothing was opened.", "Plug it in again on the bench.");
+  if (faults_.unplugged) return fail(cable_is_out(options_.name));
   return std::make_unique<HostWindow>(shared_from_this());
 }
 
@@ -104,7 +102,7 @@ void EmulatorHost::run_cycles(std::span<BusCycle> cycles) {
   run_until(now);
 }
 
-// There is no answer while the cable is pulled or the board has no power: a read gives ones.
+// While the cable is pulled or the board has no power there is no answer, and a read gives ones.
 void EmulatorHost::run_cycle(BusCycle& cycle) {
   const std::uint32_t ones = 0xFFFFFFFFu >> (32 - 8 * cycle.width);
   const bool dropped = faults_.to_drop > 0;
@@ -124,7 +122,7 @@ void EmulatorHost::run_cycle(BusCycle& cycle) {
   for (const char c : bytes) cycle.value = cycle.value << 8 | static_cast<unsigned char>(c);
 }
 
-// Every host on the bus gets the interrupt; one acknowledges for all.
+// All hosts on the bus get the interrupt; one of them acknowledges it for all.
 void EmulatorHost::notify_interrupt() {
   BusTarget* target = board();
   if (!target || windows_.empty()) return;

@@ -90,7 +90,8 @@ class SleepWatch::Logind : public std::enable_shared_from_this<Logind> {
       lock.wanted = false;
       return 0;
     }
-    if (lock.fd < 0 && lock.wanted) lock.fd = ::fcntl(fd, F_DUPFD_CLOEXEC, 0);  // the message closes its own
+    if (lock.fd < 0 && lock.wanted)
+      lock.fd = ::fcntl(fd, F_DUPFD_CLOEXEC, 0);  // the message closes its own descriptor
     return 0;
   }
   static int on_sleep(sd_bus_message* signal, void* data, sd_bus_error*) {
@@ -101,13 +102,13 @@ class SleepWatch::Logind : public std::enable_shared_from_this<Logind> {
     if (begins != 0) {
       if (self.callbacks_.wants_to_sleep) self.callbacks_.wants_to_sleep();
     } else {
-      self.take(self.delay_);  // for the next time
+      self.take(self.delay_);  // for the next sleep
       if (self.callbacks_.has_woken) self.callbacks_.has_woken();
     }
     return 0;
   }
 
-  // Handles messages from the bus and sends queued ones.
+  // Handles messages from the bus and sends queued messages.
   void serve() {
     int more = 1;
     while (more > 0) more = sd_bus_process(bus_, nullptr);

@@ -1,6 +1,6 @@
 #pragma once
-// Follows this computer's sleep through systemd-logind: a held jog is released before sleep, sleep is
-// inhibited while something moves, and everything is read again after waking. Without logind nothing is done.
+// Follows this computer's sleep through systemd-logind. A held jog is released before sleep, sleep is
+// inhibited while an axis moves, and all values are read again after waking. Without logind it does nothing.
 #include <functional>
 #include <memory>
 
@@ -10,14 +10,14 @@ namespace hw {
 
 class SleepWatch {
  public:
-  /// Both are called on the io thread.
+  /// Both functions are called on the io thread.
   struct Callbacks {
-    /// The computer waits a few seconds at most for may_sleep().
+    /// The computer is about to sleep. It waits at most a few seconds for may_sleep().
     std::function<void()> wants_to_sleep;
     std::function<void()> has_woken;
   };
   SleepWatch(Scheduler& scheduler, Callbacks callbacks);
-  /// On the io thread, or after it has ended.
+  /// Call on the io thread, or after it has ended.
   ~SleepWatch();
   SleepWatch(const SleepWatch&) = delete;
   SleepWatch& operator=(const SleepWatch&) = delete;

@@ -1,6 +1,6 @@
 #pragma once
-// The file of --state: an emulated controller's non-volatile memory. A worker thread writes it, so that the
-// wire does not wait for the disk. Texts are written in order; the destructor waits for the last one.
+// The file of --state: the non-volatile memory of an emulated controller. A worker thread writes it, so that
+// the wire does not wait for the disk. Texts are written in order. The destructor waits for the last text.
 #include <boost/asio/thread_pool.hpp>
 #include <functional>
 #include <memory>
@@ -11,14 +11,14 @@
 
 namespace hw {
 
-/// Reports faults that are not the wire's, for a log or a status line. Io thread.
+/// Receives faults other than those of the wire, for a log or a status line. Io thread.
 using Trouble = std::function<void(const Fault&)>;
 
 class StateFile {
  public:
   StateFile(Scheduler& scheduler, std::string path, Trouble trouble);
   ~StateFile();
-  /// Returns at once. On failure `trouble` is called, and the file keeps its previous text.
+  /// Writes the text; returns at once. On failure `trouble` is called, and the file keeps its previous text.
   void keep(std::string text);
 
  private:

@@ -1,12 +1,12 @@
 #pragma once
-// Reads the kernel's files about a device, one fact a file.
+// Reads the kernel's files about a device, each of which has one fact.
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 namespace hw {
 
-/// The first line without trailing blanks; empty: no such file.
+/// The first line without trailing blanks; empty: the file does not exist.
 inline std::string first_line(const std::filesystem::path& file) {
   std::string line;
   std::getline(std::ifstream(file), line);

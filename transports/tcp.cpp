@@ -77,7 +77,8 @@ Fault tcp_ended(const std::string& where, int error) {
                              : error == EPIPE
                                  ? "The other side closed the connection"
                                  : fmt::format("The connection failed ({})", std::strerror(error));
-  return gone(fmt::format("{} ({}).", reason, where), "Check the network and the device; it is tried again.");
+  return gone(fmt::format("{} ({}).", reason, where),
+              "Check the network and the device. The console keeps trying.");
 }
 
 Task<Result<int>> connect_tcp(Scheduler& scheduler, std::string where, Duration patience) {

@@ -7,12 +7,12 @@
 
 namespace hw {
 
-/// Connects to "HOST:PORT". Neither name lookup nor connecting blocks the io thread.
+/// Connects to "HOST:PORT". Fails after `patience`. Neither name lookup nor connecting blocks the io thread.
 Task<Result<std::unique_ptr<Stream>>> open_tcp(Scheduler& scheduler, std::string where,
                                                Duration patience = Millis(5000));
-/// The same as a bare connected socket, for protocols on top; non-blocking, without Nagle's delay.
+/// As above, but returns the connected socket, for protocols on top: non-blocking, without Nagle's delay.
 Task<Result<int>> connect_tcp(Scheduler& scheduler, std::string where, Duration patience);
-/// A stream on a connected socket, of which it takes ownership. `peer`: for messages.
+/// Makes a stream on a connected socket and takes ownership of it. `peer` is for messages.
 std::unique_ptr<Stream> make_tcp_stream(Scheduler& scheduler, int socket, std::string peer);
 /// Why a connection to `where` ended. `error`: an errno; 0: closed by the other side.
 Fault tcp_ended(const std::string& where, int error);

@@ -40,7 +40,7 @@ struct Listening : std::enable_shared_from_this<Listening> {
     Error error;
     socket.set_option(Tcp::no_delay(true), error);
     const Tcp::endpoint peer = socket.remote_endpoint(error);
-    if (error) return;  // gone already
+    if (error) return;  // the connection has closed already
     const int fd = socket.release(error);
     if (!error) accepted(make_tcp_stream(scheduler, fd, text(peer)));
   }

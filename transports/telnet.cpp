@@ -101,7 +101,7 @@ void Receiver::take(std::string_view wire, std::string& data, std::string& reply
   }
 }
 
-// Agreement to our own offers needs no reply; every other option is declined once.
+// Agreement to our own offers needs no reply. Each other option is declined once.
 void Receiver::negotiate(unsigned char verb, unsigned char option, std::string& reply) {
   if (option == com_port && (verb == do_ || verb == dont)) word_.com_port = verb == do_;
   if (ours(option)) return;

@@ -26,18 +26,18 @@ inline constexpr unsigned char answered = 100;
 
 /// Appends the data as sent on the wire: IAC doubled.
 void escape(std::string_view data, std::string& wire);
-/// The client's opening words.
+/// The options that the client offers first.
 std::string offer();
-/// Asks for a rate. Appends.
+/// Appends the request for a rate.
 void ask_rate(int baud, std::string& wire);
 /// Requests `baud`, 8N1, no flow control and no reports of line and modem states.
 std::string ask_settings(int baud);
 
-/// The server's statements so far.
+/// The settings that the server has reported so far.
 struct ServerWord {
   std::optional<bool> com_port;                         ///< whether its port can be set
-  std::optional<int> baud, datasize, parity, stopsize;  ///< as it confirmed them
-  int rates = 0;                                        ///< number of rates it has reported
+  std::optional<int> baud, datasize, parity, stopsize;  ///< as confirmed
+  int rates = 0;                                        ///< number of rates reported
   [[nodiscard]] bool settings_complete() const { return baud && datasize && parity && stopsize; }
 };
 

@@ -6,11 +6,11 @@
 
 namespace hw {
 
-/// The kernel's constant; none: not a standard rate.
+/// The kernel's constant; nullopt: not a standard rate.
 std::optional<speed_t> speed_constant(int baud);
-/// 0: unknown or hung up.
+/// The rate of a constant; 0: unknown or hung up.
 int baud_of(speed_t constant);
-/// Raw, 8N1, no flow control, modem lines ignored, non-blocking reads.
+/// Sets raw mode, 8N1, no flow control, modem lines ignored, non-blocking reads.
 void make_raw_8n1(termios& settings);
 
 }  // namespace hw

@@ -15,12 +15,12 @@ struct UsbLoop::State : std::enable_shared_from_this<State> {
 
   Scheduler& scheduler;
   libusb_context* context = nullptr;
-  std::map<int, std::unique_ptr<Descriptor>> watched;  // not ours to close
+  std::map<int, std::unique_ptr<Descriptor>> watched;  // libusb closes them
   std::function<void()> changed;
   libusb_hotplug_callback_handle hotplug = 0;
 
-  std::set<int> plain;  // descriptors not supported by epoll (the file of an emulated device) ...
-  Timer often;          // ... count as always ready
+  std::set<int> plain;  // descriptors that epoll does not support (the file of an emulated device)
+  Timer often;          // polls `plain`, which counts as always ready
 
   explicit State(Scheduler& s)
       : scheduler(s), often(s, [this] {
@@ -66,7 +66,7 @@ struct UsbLoop::State : std::enable_shared_from_this<State> {
     static_cast<State*>(state)->add(fd, events);
   }
   static void LIBUSB_CALL fd_removed(int fd, void* state) { static_cast<State*>(state)->remove(fd); }
-  // Posted: libusb must not be called from its own callback.
+  // The call is posted, because libusb must not be called from its own callback.
   static int LIBUSB_CALL plugged(libusb_context*, libusb_device*, libusb_hotplug_event, void* state) {
     static_cast<State*>(state)->notify_soon();
     return 0;

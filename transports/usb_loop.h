@@ -1,6 +1,6 @@
 #pragma once
-// Runs libusb in the io loop: descriptors are waited for and callbacks made there. No thread, no polling. Io
-// thread only.
+// Runs libusb in the io loop, which waits for its descriptors and makes its callbacks. No thread, no polling.
+// Io thread only.
 #include <functional>
 #include <memory>
 
@@ -20,10 +20,10 @@ class UsbLoop {
   UsbLoop& operator=(const UsbLoop&) = delete;
 
   [[nodiscard]] libusb_context* context() const;
-  /// Calls `changed` once soon, and whenever a device with these ids is plugged in or unplugged, for the
+  /// Calls `changed` once soon, and then when a device with these ids is plugged in or unplugged, for the
   /// lifetime of this object.
   Result<> watch(int vendor, int product, std::function<void()> changed);
-  /// Blocks until `done` or until `patience` is over. At program end only.
+  /// Blocks until `done` or until `patience` is over. Only at program end.
   void run_until(const std::function<bool()>& done, Millis patience);
 
  private:

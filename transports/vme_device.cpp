@@ -34,17 +34,17 @@ constexpr unsigned long set_master_window = _IOW(0xAE, 4, MasterWindow);
 constexpr std::uint32_t space_a16 = 0x1, single_cycles = 0x1, supervisory = 0x1000, data = 0x8000,
                         width_16 = 0x2;
 
-// Requests all of the short space: bridges assign windows in units of 64 KiB.
+// Requests the whole short space, because bridges assign windows in units of 64 KiB.
 int ask_for_short_space(int fd, DeviceRequest request) {
   MasterWindow window{1, 0, short_space_bytes, space_a16, single_cycles | supervisory | data, width_16};
   return request(fd, set_master_window, &window);
 }
 int ask_the_kernel(int fd, unsigned long request, void* argument) { return ::ioctl(fd, request, argument); }
 
-// ---- access to memory that may go away
+// ---- access to memory that may disappear
 
-// Mapped memory may vanish (a bridge removed, a file truncated): an access then raises SIGBUS. Within a Guard
-// this ends only the accesses.
+// Mapped memory may disappear (a bridge is removed, a file truncated). An access then raises SIGBUS, which
+// within a Guard ends only the accesses.
 thread_local sigjmp_buf* volatile way_out = nullptr;  // volatile: the handler reads it between two accesses
 struct sigaction before_us;
 
@@ -97,7 +97,8 @@ bool lies_inside(const BusCycle& cycle) {
   return cycle.offset + cycle.width <= window_bytes && (cycle.width == 1 || cycle.offset % 2 == 0);
 }
 
-// False: the memory is gone. (No object with a destructor lives between sigsetjmp and the accesses.)
+// Returns false when the memory has disappeared. (No object with a destructor exists between sigsetjmp and
+// the accesses.)
 bool access_all(volatile std::uint8_t* window, std::span<BusCycle> cycles) {
   sigjmp_buf here;
   if (sigsetjmp(here, 0) != 0) {
@@ -139,7 +140,7 @@ class VmeDevice final : public Window {
     if (!gone_ && access_all(static_cast<volatile std::uint8_t*>(memory_), cycles)) co_return Result<>();
     const Fault why =
         gone(fmt::format("The window {} is gone.", place_),
-             "Check that the VME bridge and its driver are still there; it is opened again by itself.");
+             "Check that the VME bridge and its driver are still there. The console then opens it again.");
     if (!std::exchange(gone_, true))
       asio::post(scheduler_.executor(), [link = link_, why] {
         if (link->listener) link->listener->window_closed(why);
@@ -187,10 +188,10 @@ tl::unexpected<Fault> held_elsewhere(const std::string& device) {
   const std::string holder = port_holder(device);
   return fail(FaultKind::port, fmt::format("{} is in use{}.", device, holder.empty() ? "" : " by " + holder),
               "Nothing was opened.",
-              "Two programs at one board would take each other's replies: close the other.");
+              "Close the other program: two programs on one board would take each other's replies.");
 }
 
-// Offset of the window in the file.
+// The offset of the window in the file.
 Result<std::uint32_t> place_in(int fd, const std::string& device, std::uint32_t base, DeviceRequest request) {
   struct stat info {};
   if (::fstat(fd, &info) != 0) return cannot_open(device, errno);

@@ -116,15 +116,27 @@ bool is_subject(std::string_view path) {
              std::end(subjects_there_are);
 }
 
+/// "link, driver, driver.MODEL or sleep".
+std::string possible_subjects() {
+  std::string all;
+  for (const std::string_view one : subjects_there_are) {
+    const bool last = one == *std::rbegin(subjects_there_are);
+    all += fmt::format("{}{}{}",
+                       all.empty() ? ""
+                       : last      ? " or "
+                                   : ", ",
+                       one, one == "driver" ? ", driver.MODEL" : "");
+  }
+  return all;
+}
+
 Result<> choose_one(std::string_view choice) {
   const auto equals = choice.find('=');
   const std::string_view path = equals == choice.npos ? "" : choice.substr(0, equals);
   const auto level = level_named(equals == choice.npos ? choice : choice.substr(equals + 1));
   if (!level || (equals != choice.npos && !is_subject(path)))
-    return fail(
-        FaultKind::text, fmt::format("\"{}\" names no subject and level of the log.", choice), {},
-        "Give SUBJECT=LEVEL: link, pump, driver, driver.MODEL, script, gui, emulate or sleep, and off, "
-        "error, warning, info or debug.");
+    return fail(FaultKind::text, fmt::format("\"{}\" names no subject and level of the log.", choice), {},
+                "Give SUBJECT=LEVEL: " + possible_subjects() + ", and off, error, warning, info or debug.");
   const std::lock_guard lock(desk().mutex);
   if (path.empty())
     desk().usual = *level;
@@ -253,7 +265,6 @@ void error(std::string_view where, std::string_view sentence) { subject(where).a
 void warning(std::string_view where, std::string_view sentence) {
   subject(where).add(Level::warning, sentence);
 }
-void info(std::string_view where, std::string_view sentence) { subject(where).add(Level::info, sentence); }
 void debug(std::string_view where, std::string_view sentence) { subject(where).add(Level::debug, sentence); }
 
 }  // namespace hw::log

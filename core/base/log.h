@@ -81,7 +81,6 @@ Result<> keep_in(const std::filesystem::path& file);
 // For code without a subject of its own.
 void error(std::string_view where, std::string_view sentence);
 void warning(std::string_view where, std::string_view sentence);
-void info(std::string_view where, std::string_view sentence);
 void debug(std::string_view where, std::string_view sentence);
 
 }  // namespace hw::log

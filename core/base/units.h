@@ -22,6 +22,8 @@ struct Quantity {
 
 /// A position or distance in the controller's own unit: motor steps, pulses or encoder counts.
 using Steps = Quantity<struct StepsTag, std::int64_t>;
+/// 2^53 steps. As a double, a larger number may stand for several neighbouring steps.
+inline constexpr double countable = 9'007'199'254'740'992;
 /// A speed in steps (pulses, counts) per second. Never negative where a direction is given beside it.
 using Pps = Quantity<struct PpsTag, double>;
 

@@ -20,7 +20,7 @@ bool takes(const ActionField& field, std::int64_t value) {
   return std::any_of(choices.begin(), choices.end(), [&](const ParamChoice& c) { return c.value == value; });
 }
 
-std::string what_it_takes(const ActionField& field) {
+std::string accepted_values(const ActionField& field) {
   if (field.choices.empty())
     return fmt::format("{} to {}", number(field.minimum, field.decimals),
                        number(field.maximum, field.decimals));
@@ -46,7 +46,7 @@ Result<> check_action(const Catalog& catalog, const intent::Act& request) {
     return fail(
         FaultKind::refused,
         fmt::format("{} is not possible as {} of {}. It takes {}.", number(request.values[i], field.decimals),
-                    field.label, info.label, what_it_takes(field)),
+                    field.label, info.label, accepted_values(field)),
         "Nothing was sent.");
   }
   return {};

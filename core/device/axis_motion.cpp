@@ -41,15 +41,15 @@ StopProgress progress_of_stop(bool still_moves, Duration after) {
   if (!still_moves) return StopProgress::stands();
   if (after <= longest_stop) return StopProgress::wait();
   return StopProgress::failed(Fault(FaultKind::controller, "Stop was sent, but the controller still moves.",
-                                    "", "Stop again: it then stops at once, without a ramp."));
+                                    "", "Stop again to stop it at once, without a ramp."));
 }
 
 std::string doubt_killed(AxisState& axis, const Kill& kill, Instant now) {
   if (kill.speed <= kill.safe) return {};
   axis.trust.doubt(Doubt::killed, now);
   return fmt::format(
-      "{} may have lost steps, as it was stopped without a ramp at {}{:.0f} {}, above {}: its position is "
-      "doubtful until it is {}.",
+      "{} may have lost steps: it was stopped without a ramp at {}{:.0f} {}, above {}. Its position cannot "
+      "be trusted until it is {}.",
       kill.axis, kill.approx, kill.speed, kill.unit, kill.safe_word, kill.cure);
 }
 

@@ -126,7 +126,7 @@ void AxisTracking::restarted() {
     axis.trust.doubt(Doubt::power_cut, context_.scheduler.now());
     tracked_[ix(i)] = Tracked();
   }
-  warn("The controller was switched off and on. Home the axes before the next move to a place.");
+  warn("Home the axes before the next absolute move: the controller was switched off and on.");
 }
 
 void AxisTracking::wire_lost() {

@@ -224,7 +224,7 @@ struct CommandInfo {
   std::string help;     ///< "speed of motor m, 1 to 6000 steps/s"
   bool moves = false;   ///< Enter moves, or may move, something now
   bool stored = false;  ///< stored in the program; moves nothing now
-  std::string manual;
+  std::string manual = {};
 };
 
 /// One value in the memory window of a controller: Catalog::memory. Big-endian.

@@ -60,7 +60,7 @@ void CountTrack::know(const CountReading& now) {
   other_count_ = went_on_ = missed_ = 0;
 }
 
-void CountTrack::know_only(const CountReading& now) {
+void CountTrack::set_known(const CountReading& now) {
   forget();
   know(now);
 }
@@ -84,7 +84,7 @@ bool CountTrack::leads(const CountReading& from, const CountReading& now) const 
   return reaches(from, now) && !turns;
 }
 
-bool CountTrack::some_known_leads(const CountReading& now) const {
+bool CountTrack::known_count_leads(const CountReading& now) const {
   return std::any_of(known_.end() - std::min(known_count_, kept), known_.end(),
                      [&](const CountReading& from) { return leads(from, now); });
 }
@@ -93,16 +93,16 @@ bool CountTrack::add(const CountReading& now) {
   if (known_count_ == 0) return know(now), false;
   const CountReading& before = other_count_ > 0 ? last_ : known_.back();
   if (now.when <= before.when) return false;
-  if (wraps_between(before, now) || wraps_between(known_.back(), now)) return know_only(now), false;
-  if (known_count_ < confirmed && !some_known_leads(now)) {
+  if (wraps_between(before, now) || wraps_between(known_.back(), now)) return set_known(now), false;
+  if (known_count_ < confirmed && !known_count_leads(now)) {
     if (known_count_ > 1 && missed_ == 0) return ++missed_, false;
-    return know_only(now), false;
+    return set_known(now), false;
   }
   if (known_count_ < confirmed) return know(now), false;
   if (other_count_ == 0) return leads(known_.back(), now) ? know(now) : begin_other(now), false;
   if (!reaches(last_, now)) {
     if (other_count_ > 1 && missed_ < most_missed) return ++missed_, false;
-    return some_known_leads(now) ? know(now) : begin_other(now), false;
+    return known_count_leads(now) ? know(now) : begin_other(now), false;
   }
   if (other_count_ < kept) other_[ix(other_count_)] = now;
   ++other_count_;
@@ -110,7 +110,7 @@ bool CountTrack::add(const CountReading& now) {
   missed_ = 0;
   if (other_count_ < confirmed || now.when - other_[0].when < until_believed) return false;
   const bool was_set = !motion_explains();
-  know_only(now);
+  set_known(now);
   return was_set;
 }
 

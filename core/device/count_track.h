@@ -32,10 +32,10 @@ class CountTrack {
   using Readings = std::array<CountReading, kept>;
 
   void know(const CountReading& now);
-  void know_only(const CountReading& now);
+  void set_known(const CountReading& now);
   void begin_other(const CountReading& now);
   [[nodiscard]] bool leads(const CountReading& from, const CountReading& now) const;
-  [[nodiscard]] bool some_known_leads(const CountReading& now) const;
+  [[nodiscard]] bool known_count_leads(const CountReading& now) const;
   [[nodiscard]] std::optional<CountReading> rested_last() const;
   [[nodiscard]] std::optional<CountReading> rests_first() const;
   [[nodiscard]] double known_rate() const;

@@ -83,8 +83,8 @@ std::uint32_t CountWatch::look(const Snapshot& now) {
 
 std::string describe_count_was_set(const Catalog& catalog, int axis) {
   return fmt::format(
-      "The count of {} was changed by another program or at the controller, without a motion. Home it, or "
-      "set its position, before the next absolute move.",
+      "Home {}, or set its position, before the next absolute move: its count was changed by another program "
+      "or at the controller, without a motion.",
       spoken_name(catalog, axis));
 }
 

@@ -13,8 +13,10 @@
 //   OverrideSpeed never come here: the pump handles them.
 // - Faults. refused: nothing was sent. controller: it refused. no_answer, garbled: the command may have been
 //   carried out. stopped: a stop took the wire. lost: the wire is gone. The pump repeats nothing.
-// - Stops: see stop(). A second stop of the same scope comes with StopOrder::at_once. stop_progress() says
-//   `stands` only from values read since the stop was sent.
+// - Stops: see stop(). `tool` switches the outputs of StopOrder::tool. Without outputs there is nothing to do
+//   for `tool`, without programs nothing for `program`. A second stop of the same scope comes with
+//   StopOrder::at_once. stop_progress() says `stands` only from values read since the stop was sent.
+// - Outputs. SetOutput reads them back: outputs, outputs_known and io_seen_at are those of that reading.
 // - Snapshot. The driver writes the axes (but travel and backlash), programs, threads, the feed, transfers,
 //   parameters, readouts, lines and its identity. The pump writes link, pieces, outcomes and poll_period. A
 //   value that is no longer known is marked as unknown, never left as it was.

@@ -35,7 +35,7 @@ bool goes_to_travel_end(const AxisState& axis) {
   return (t.has_minus && axis.target == t.minus) || (t.has_plus && axis.target == t.plus);
 }
 
-Ending::What what_moves(Activity activity) {
+Ending::What kind_of_motion(Activity activity) {
   return activity == Activity::homing    ? Ending::What::homing
          : activity == Activity::jogging ? Ending::What::jog
                                          : Ending::What::motion;
@@ -57,7 +57,7 @@ void EndingWatch::stop_asked(const StopOrder& order, const Snapshot& now, Instan
     if (!stops_axis(order, i)) continue;
     ways_.stopped(i);
     Run& run = axes_[ix(i)];
-    run.who = order.by;
+    run.stopped_by = order.by;
     if (!run.under_way || run.asked_at != Instant{}) continue;
     const AxisState& axis = now.axes[ix(i)];
     const double since_seen = seconds(at - axis.seen_at) * axis.speed.value * axis.direction;
@@ -70,12 +70,14 @@ void EndingWatch::stop_asked(const StopOrder& order, const Snapshot& now, Instan
   if (one_axis) return;  // the program continues
   ways_.disturbed();
   for (int i = 0; i < max_threads; ++i)
-    if ((order.thread < 0 || order.thread == i) && !threads_[ix(i)].over) threads_[ix(i)].who = order.by;
-  if (!program_.over) program_.who = order.by;
-  list_.who = order.by;
-  if (order.by != StoppedBy::unknown) pieces_.who = order.by;  // else the stop only ends pieces that are over
+    if ((order.thread < 0 || order.thread == i) && !threads_[ix(i)].over)
+      threads_[ix(i)].stopped_by = order.by;
+  if (!program_.over) program_.stopped_by = order.by;
+  list_.stopped_by = order.by;
+  if (order.by != StoppedBy::unknown)
+    pieces_.stopped_by = order.by;  // else the stop only ends pieces that are over
   if (order.what == What::program)
-    for (Run& axis : axes_) axis.who = order.by;
+    for (Run& axis : axes_) axis.stopped_by = order.by;
 }
 
 void EndingWatch::stop_goes_out(const StopOrder& order, Instant at) {
@@ -136,7 +138,7 @@ void EndingWatch::begin(Run& run, Ending::What what, Instant now) {
 
 void EndingWatch::finish(Run& run, Instant at) {
   run.under_way = run.over = false;
-  if (stopped(run.ending.by)) run.ending.who = run.who, time_the_stop(run, at);
+  if (stopped(run.ending.by)) run.ending.stopped_by = run.stopped_by, time_the_stop(run, at);
   if (run.quiet && as_meant(run.ending.by)) return;
   run.ending.at = at;
   report_(run.ending);
@@ -147,9 +149,9 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
   const AxisState& state = now.axes[ix(axis)];
   if (now.axis_moves(axis)) {
     const bool another = run.rests_since != Instant{} && state.seen_at - run.rests_since > a_pause;
-    if (!run.under_way || another) begin(run, what_moves(state.activity), now.at);
+    if (!run.under_way || another) begin(run, kind_of_motion(state.activity), now.at);
     run.rests_since = {};
-    if (state.activity != Activity::stopping) run.ending.what = what_moves(state.activity);
+    if (state.activity != Activity::stopping) run.ending.what = kind_of_motion(state.activity);
     run.ending.at_travel_end = goes_to_travel_end(state);
     run.quiet = something_reports(now);
     run.ending.of_run = run.ending.of_run || run.quiet;
@@ -172,7 +174,7 @@ void EndingWatch::look_at_axis(const Snapshot& now, int axis) {
   run.ending.at_travel_end = run.ending.at_travel_end && state.ended_by == EndedBy::target;
   run.ending.by = state.activity == Activity::error && state.ended_by == EndedBy::nothing ? EndedBy::error
                                                                                           : state.ended_by;
-  const bool by_text = run.who == StoppedBy::text && run.sent_at != Instant{};
+  const bool by_text = run.stopped_by == StoppedBy::text && run.sent_at != Instant{};
   if (by_text && run.ending.by == EndedBy::elsewhere) run.ending.by = EndedBy::stop;
   run.ending.beside_program = something_reports(now);
   run.ending.of_run = run.ending.of_run || run.ending.beside_program;
@@ -235,7 +237,7 @@ void EndingWatch::look_at_threads(const Snapshot& now) {
     run.ending.slot = i;
     // The controller does not report how one of several threads ended; a stop of this thread is known.
     run.ending.by = thread.run == RunState::error              ? EndedBy::error
-                    : run.who != StoppedBy::unknown            ? EndedBy::stop
+                    : run.stopped_by != StoppedBy::unknown     ? EndedBy::stop
                     : stopped(now.program.ended_by)            ? EndedBy::elsewhere
                     : now.program.ended_by == EndedBy::nothing ? EndedBy::target
                                                                : now.program.ended_by;
@@ -273,7 +275,7 @@ void EndingWatch::look_at_list(const Snapshot& now) {
   }
   if (!list_.under_way || now.any_axis_moving() || !now.link.connected()) return;
   list_.ending.done = now.feed.sent;
-  list_.ending.by = list_.who != StoppedBy::unknown ? EndedBy::stop : EndedBy::target;
+  list_.ending.by = list_.stopped_by != StoppedBy::unknown ? EndedBy::stop : EndedBy::target;
   finish(list_, now.at);
 }
 
@@ -285,7 +287,7 @@ void EndingWatch::look_at_pieces(const Snapshot& now) {
   }
   if (!pieces_.under_way || now.any_axis_moving() || !now.link.connected()) return;
   pieces_.ending.done = now.pieces.done;
-  pieces_.ending.by = pieces_.who != StoppedBy::unknown            ? EndedBy::stop
+  pieces_.ending.by = pieces_.stopped_by != StoppedBy::unknown     ? EndedBy::stop
                       : pieces_.ending.done < pieces_.ending.total ? EndedBy::elsewhere
                                                                    : EndedBy::target;
   finish(pieces_, now.at);

@@ -35,7 +35,7 @@ class EndingWatch {
     bool quiet = false;  ///< of a motion: reported with its program or list
     bool over = false;   ///< of a program: reported when its last motion has been judged
     Ending ending;
-    StoppedBy who = StoppedBy::unknown;
+    StoppedBy stopped_by = StoppedBy::unknown;
     Instant asked_at{}, sent_at{};  ///< of the first stop
     Instant slow_at{};              ///< when it was first seen to slow down after the stop
     Instant rests_since{};          ///< of a motion whose end is not explained yet: at rest since then

@@ -18,7 +18,7 @@ const HomingMode* find_mode(const Catalog& catalog, int mode) {
 std::string why_not_home(const Catalog& catalog, int mode, Sign sign) {
   const HomingMode* found = find_mode(catalog, mode);
   if (!found || found->allows(sign)) return {};
-  return fmt::format("Homing {} goes only in the {} direction.", found->label,
+  return fmt::format("Homing {} runs only in the {} direction.", found->label,
                      sign == Sign::plus ? "\u2212" : "+");
 }
 

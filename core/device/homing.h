@@ -1,6 +1,6 @@
 #pragma once
-// Checks of homing on any controller, before its driver is asked, and the choice of the mode that makes a
-// doubtful count known again.
+// Checks of homing on any controller, before its driver is asked and by that driver, and the choice of the
+// mode that makes a doubtful count known again.
 #include <optional>
 #include <string>
 

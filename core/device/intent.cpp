@@ -15,10 +15,10 @@ intent::Closing* closing_of(IntentBody& body) {
   return nullptr;
 }
 
-void asked_by(IntentBody& body, StoppedBy who) {
+void asked_by(IntentBody& body, StoppedBy by) {
   std::visit(
-      [who](auto& request) {
-        if constexpr (requires { request.by; }) request.by = who;
+      [by](auto& request) {
+        if constexpr (requires { request.by; }) request.by = by;
       },
       body);
 }

@@ -115,13 +115,13 @@ struct Home {
 struct Stop {
   int axis;  ///< -1: all
   StoppedBy by;
-  explicit Stop(int a = -1, StoppedBy who = StoppedBy::button) : axis(a), by(who) {}
+  explicit Stop(int a = -1, StoppedBy b = StoppedBy::button) : axis(a), by(b) {}
 };
 /// Stop at once, without a ramp; positions may be lost.
 struct Abort {
   int axis;
   StoppedBy by;
-  explicit Abort(int a = -1, StoppedBy who = StoppedBy::button) : axis(a), by(who) {}
+  explicit Abort(int a = -1, StoppedBy b = StoppedBy::button) : axis(a), by(b) {}
 };
 /// Make the present position read `value` (0: zero here). axis -1: all axes to 0.
 struct SetPosition {
@@ -232,7 +232,7 @@ struct SingleStep {};  ///< from a hold: one command
 struct HaltProgram {
   int thread;
   StoppedBy by;
-  explicit HaltProgram(int t = -1, StoppedBy who = StoppedBy::button) : thread(t), by(who) {}
+  explicit HaltProgram(int t = -1, StoppedBy b = StoppedBy::button) : thread(t), by(b) {}
 };
 /// One of Catalog::actions with a value for each of its fields.
 struct Act {
@@ -331,7 +331,7 @@ bool is_any_of(const IntentBody& body) {
 intent::Closing* closing_of(IntentBody& body);
 
 /// Notes who requested a stop; does nothing to any other intent.
-void asked_by(IntentBody& body, StoppedBy who);
+void asked_by(IntentBody& body, StoppedBy by);
 
 struct Intent {
   IntentId id = 0;

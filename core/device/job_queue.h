@@ -25,7 +25,7 @@ struct Job {
   Duration patience{};
   Result<std::string> reply{std::string()};
   std::uint64_t since = 0;  ///< unsolicited texts from this number on may answer it
-  Suspended asker;
+  Suspended waiting_procedure;
   bool answered = false;
   explicit Job(Intent i) : intent(std::move(i)) {}
 };

@@ -30,12 +30,12 @@ std::string LossReport::back(const Catalog& catalog, const Snapshot& known, bool
   }
   owed_ = false;
   if (known.restarts != restarts_) return {};  // the power cycle is reported, and ends the motions
-  if (places.empty() && !at_work) places = "every axis stands where it stood";
-  const char* what = was_at_work_ ? "the controller was at work" : "a command was on its way";
-  const char* now = was_at_work_ ? at_work ? "It still is" : "It has finished meanwhile"
-                    : at_work    ? "The controller is at work"
+  if (places.empty() && !at_work) places = "every axis is where it was";
+  const char* what = was_at_work_ ? "the controller was busy" : "a command was on its way";
+  const char* now = was_at_work_ ? at_work ? "It is still busy" : "It has finished meanwhile"
+                    : at_work    ? "The controller is busy"
                                  : "The controller is at rest";
-  return fmt::format("The connection was gone for {:.1f} s while {}. {}{}{}. Nothing was sent again.",
+  return fmt::format("The connection was lost for {:.1f} s while {}. {}{}{}. Nothing was sent again.",
                      seconds(at - lost_at_), what, now, places.empty() ? "" : "; ", places);
 }
 

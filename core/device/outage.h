@@ -57,10 +57,10 @@ class Outage {
     return true;
   }
   /// The next attempt begins at once.
-  void hurry() { at_once_ = on_; }
+  void retry_at_once() { at_once_ = on_; }
   /// The same for a stop requested now: since the loss it is unknown whether anything runs.
-  void hurry_with_a_stop() {
-    hurry();
+  void retry_at_once_for_stop() {
+    retry_at_once();
     may_run_ = may_run_ || on_;
   }
   [[nodiscard]] bool hurries() const { return at_once_; }

@@ -49,7 +49,8 @@ Result<> PieceRun::allows(const IntentBody& body) const {
     return fail(FaultKind::refused, "A move that takes up backlash is under way.", "Nothing was sent.",
                 "Wait until it has ended, or stop it.");
   if (!running() || !disturbs) return {};
-  return fail(FaultKind::refused, "A sequence is under way in pieces, and this would disturb the next one.",
+  return fail(FaultKind::refused,
+              "A sequence is running in pieces, and this command would disturb its next piece.",
               "Nothing was sent.", "Stop it first.");
 }
 
@@ -153,14 +154,19 @@ std::string PieceRun::watch(std::uint64_t rounds) {
   if (seat_ && seat_->has_ended())
     return end(), std::string();  // the other controllers' run has given the reason
   if (snapshot_.restarts != restarts_) {
+    const bool one_move = is_one_move();
     end();
-    return "The controller was switched off and on, or reset, while pieces were under way. Nothing follows.";
+    return one_move
+               ? "The controller was switched off and on, or reset, while a move took up backlash. Its last "
+                 "part was dropped."
+               : "The controller was switched off and on, or reset, while a sequence was running in pieces. "
+                 "The remaining pieces were dropped.";
   }
   show_others();
   if (step_ == 0) return {};
   show_step();
   const Piece& piece = pieces_->all[piece_];
-  if (list_broke_off(piece)) return end_now("was not taken whole by the controller.");
+  if (list_broke_off(piece)) return end_now("was not fully accepted by the controller.");
   if (rounds < shows_in_ || !at_rest()) return {};
   const bool whole = step_ == piece.does.size();
   std::string why = why_not_done(piece);
@@ -193,7 +199,7 @@ std::string PieceRun::end_because(std::string_view what) {
 
 std::string PieceRun::end_now(std::string_view what) {
   std::string why =
-      fmt::format("Piece {} of {} {} Nothing follows it.", piece_ + 1, pieces_->all.size(), what);
+      fmt::format("Piece {} of {} {} No further piece is sent.", piece_ + 1, pieces_->all.size(), what);
   end();
   return why;
 }

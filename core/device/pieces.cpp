@@ -322,15 +322,16 @@ std::string why_not_begun(const Pieces& pieces, const Catalog& catalog, const Sn
     if (count++ > 0) which += ", ";
     which += param >= 0 ? catalog.params[ix(param)].label : loop.parameter;
   }
-  return fmt::format("{} {} on, and the controller's buffer takes no moves then.", which,
+  return fmt::format("{} {} on, so the controller's buffer accepts no moves.", which,
                      count == 1 ? "is" : "are");
 }
 
 Result<> has_step(const seq::Sequence& sequence, int step) {
-  if (sequence.steps.empty()) return fail(FaultKind::text, "It has no steps.", "Nothing was written.");
+  if (sequence.steps.empty())
+    return fail(FaultKind::text, "The sequence has no steps.", "Nothing was written.");
   if (step >= 0 && ix(step) < sequence.steps.size()) return {};
   return fail(FaultKind::text,
-              fmt::format("There is no step {}: it has {}.", step + 1, sequence.steps.size()),
+              fmt::format("There is no step {}: the sequence has {}.", step + 1, sequence.steps.size()),
               "Nothing was written.");
 }
 

@@ -25,7 +25,8 @@ class TogetherWriter final : public ActWriter {
     parts_.resize(members), open_.resize(members), stood_.resize(members);
     if (auto written = write_all(); !written) return fail(written.error());
     if (parts_.front().all.empty())
-      return fail(FaultKind::text, "It has no step that can be carried out.", "Nothing was written.");
+      return fail(FaultKind::text, "The sequence has no step that can be carried out.",
+                  "Nothing was written.");
     // The output that switches the tool belongs to the first controller.
     parts_.front().tool = tool_off_of(draft_.sequence, static_cast<int>(draft_.catalog.outputs.size()));
     for (Pieces& part : parts_)
@@ -38,7 +39,7 @@ class TogetherWriter final : public ActWriter {
  private:
   Result<> unfit() override {
     return draft_.refuse(
-        "controllers on a bus can do only moves, arcs as chords, outputs and delays together.");
+        "together, controllers on a bus can do only moves, arcs as chords, outputs and delays.");
   }
   [[nodiscard]] bool can_move(int) const override { return true; }
 
@@ -195,7 +196,7 @@ Result<std::vector<Pieces>> pieces_together(const seq::Sequence& sequence, const
                                             int from_step) {
   if (auto has = has_step(sequence, from_step); !has) return fail(has.error());
   if (sequence.axes.size() < 2)
-    return fail(FaultKind::text, "Its axes are on one controller: it can do them by itself.",
+    return fail(FaultKind::text, "All axes of the sequence are on one controller: run it on that controller.",
                 "Nothing was written.");
   return TogetherWriter(sequence, bus, last_tool_up(sequence.steps, ix(from_step))).run();
 }

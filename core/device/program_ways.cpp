@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "core/base/index.h"
+#include "core/base/rounded_steps.h"
 #include "core/sequence/steps_in.h"
 
 namespace hw {
@@ -57,10 +58,9 @@ class WayReader {
   }
   void goes(std::size_t axis, double to, bool relative) {
     const int at = place_of(axis);
-    constexpr double far = 1e15;
     if (at < 0 || at >= max_axes) return;
     AxisWays& way = ways_[ix(at)];
-    const Steps steps(std::llround(std::clamp(to * sequence_.axes[axis].per_unit, -far, far)));
+    const Steps steps = rounded_steps(to * sequence_.axes[axis].per_unit);
     if (!relative) {
       way.places.push_back(steps);
       return;

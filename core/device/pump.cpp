@@ -64,7 +64,7 @@ Task<> Pump::shut_down() {
   if (!runs()) co_return;
   lifecycle_ = Lifecycle::leaves;
   pump_log().debug("{}: is closed", LogName{catalog_});
-  refuse_queued("The controller was closed. Nothing was sent.");
+  refuse_queued(was_closed);
   if (jogs_.any()) post_stop(StopOrder());
   co_await let_end();
   for (std::string left : {driver_->leaves_behind(), describe_torn_is_left(catalog_, snapshot_)})
@@ -79,7 +79,7 @@ Task<> Pump::shut_down() {
   published_.notify();
   stops_did_not_arrive();
   desk_.clear();
-  refuse_queued("The controller was closed. Nothing was sent.");
+  refuse_queued(was_closed);
   while (asking_ > 0) co_await ended_.wait();
 }
 
@@ -207,7 +207,7 @@ void Pump::nothing_comes_back() {
     snapshot_.link.sentence =
         "Stop was sent, but the controller does not answer. The stop is sent again until it does.";
   stops_did_not_arrive();
-  refuse_queued("The controller does not answer. Nothing was sent.");
+  refuse_queued(does_not_answer);
   publish();
 }
 
@@ -234,8 +234,7 @@ void Pump::connection_made() {
 }
 
 Task<> Pump::wait_for_retry() {
-  constexpr std::string_view silent = "The controller does not answer. Nothing was sent.";
-  refuse_queued(outage_.hurries() ? snapshot_.link.sentence.view() : silent);
+  refuse_queued(outage_.hurries() ? snapshot_.link.sentence.view() : does_not_answer);
   const auto next = [this] {
     return desk_.any() ? outage_.attempt_at() + retry_with_a_stop : scheduler_.now() + outage_.back_off();
   };
@@ -246,7 +245,7 @@ Task<> Pump::wait_for_retry() {
   publish();
   while (!closes() && !outage_.hurries() && scheduler_.now() < snapshot_.link.next_attempt) {
     co_await wake_.wait_until(snapshot_.link.next_attempt);
-    refuse_queued(silent);
+    refuse_queued(does_not_answer);
   }
 }
 
@@ -326,7 +325,7 @@ Task<> Pump::run_round() {
   auto polled = co_await driver_->poll(round);
   if (!station_->is_open()) co_return;  // lose_wire() has reported everything
   if (station_->preempted()) {          // cut short by a stop: it does not count as a round
-    pump_log().debug("{}: a stop has cut a status round short", LogName{catalog_});
+    pump_log().debug("{}: a stop has interrupted a status round", LogName{catalog_});
     if (round != Round::stopping) rounds_.cut();
     co_return;
   }
@@ -338,8 +337,7 @@ Task<> Pump::run_round() {
   // Without a stop this controller would drive on alone to the end of its line. A pending stop of all axes
   // suffices.
   if (pieces_.others_have_ended() && snapshot_.any_axis_moving() && !desk_.stops_all()) {
-    pump_log().debug("{}: another controller of the drawing has ended: this one is stopped",
-                     LogName{catalog_});
+    pump_log().debug("{}: stopped, because another controller of the drawing has ended", LogName{catalog_});
     StopOrder order;
     order.by = StoppedBy::unknown;  // on this controller
     post_stop(std::move(order));
@@ -369,7 +367,7 @@ void Pump::poll_finished(const Result<>& result) {
   health.misses_in_a_row = static_cast<std::uint32_t>(s.misses_in_a_row);
   if (!result && result.error().kind == FaultKind::lost) return lose_wire(result.error());
   if (is_silent()) return lose_wire(not_answering());
-  if (s.misses_in_a_row >= misses_until_a_jog_ends) stop_jogs_out_of_sight();
+  if (s.misses_in_a_row >= misses_until_a_jog_ends) stop_unseen_jogs();
   forget_jogs_that_ended();
   if (result)
     look_at_stops();

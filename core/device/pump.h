@@ -138,7 +138,7 @@ class Pump {
   [[nodiscard]] bool tool_is_seen_first() const;
   void switch_tool_off();
   Task<Result<>> bring_tool_back();
-  void drop_what_waits();
+  void drop_waiting_jobs();
   Task<> send_stop(StopOrder& order);
   void stop_was_sent(StopOrder& order, Result<std::string> sent);
   void follow_words(const StopOrder& words);
@@ -172,8 +172,8 @@ class Pump {
   void set_backlash(IntentId id, const intent::SetBacklash& request);
   Result<> take_up_backlash(IntentBody& body, IntentOutcome& report) const;
   [[nodiscard]] Result<> admit(Job& job, IntentOutcome& report);
-  Task<Result<std::string>> add_what_comes_later(std::string reply, std::uint64_t since, std::uint64_t epoch,
-                                                 Duration patience);
+  Task<Result<std::string>> add_late_replies(std::string reply, std::uint64_t since, std::uint64_t epoch,
+                                             Duration patience);
   Task<Result<std::string>> wait_for_text(std::uint64_t since, std::uint64_t epoch, Duration patience);
   [[nodiscard]] Result<> may_go_to_all(const Job& job) const;
   void refuse_queued(std::string_view why);
@@ -187,7 +187,7 @@ class Pump {
   void forget_jogs_that_ended();
   void count_program_change(const Intent& intent);
   void jog_let_go();
-  void stop_jogs_out_of_sight();
+  void stop_unseen_jogs();
 
   Scheduler& scheduler_;
   const Catalog& catalog_;

@@ -46,7 +46,7 @@ void Pump::post(Intent intent) {
   }
   if (auto stop = stop_order_of(intent)) return post_stop(std::move(*stop));
   if (std::holds_alternative<intent::Reconnect>(intent.body)) {
-    outage_.hurry();
+    outage_.retry_at_once();
     set_outcome(intent.id, IntentState::done);
     wake_.notify();
     return;
@@ -57,12 +57,12 @@ void Pump::post(Intent intent) {
     return set_backlash(intent.id, *request);
   if (std::holds_alternative<intent::SendText>(intent.body)) return post_text(std::move(intent));
   if (leaves()) {
-    set_outcome(intent.id, IntentState::refused, "The controller was closed. Nothing was sent.");
+    set_outcome(intent.id, IntentState::refused, was_closed);
     return publish();
   }
   set_outcome(intent.id, IntentState::pending);
   if (jobs_.full()) {
-    set_outcome(intent.id, IntentState::refused, "Too many commands wait already. This one was not sent.");
+    set_outcome(intent.id, IntentState::refused, queue_is_full);
     return publish();
   }
   hold_jog(intent);
@@ -95,11 +95,11 @@ void Pump::post_text(Intent intent) {
     return post_stop(std::move(order));
   }
   if (leaves()) {
-    set_outcome(intent.id, IntentState::refused, "The controller was closed. Nothing was sent.");
+    set_outcome(intent.id, IntentState::refused, was_closed);
     return publish();
   }
   if (jobs_.full()) {
-    set_outcome(intent.id, IntentState::refused, "Too many commands wait already. This one was not sent.");
+    set_outcome(intent.id, IntentState::refused, queue_is_full);
     return publish();
   }
   auto job = std::make_unique<Job>(std::move(intent));
@@ -156,8 +156,8 @@ void Pump::refuse(std::unique_ptr<Job> job, std::string_view why) {
   if (!job->is_query) return;
   job->reply = fail(FaultKind::refused, std::string(why));
   job->answered = true;
-  job->asker.resume(scheduler_.executor());
-  job.release();  // its asker owns it from here
+  job->waiting_procedure.resume(scheduler_.executor());
+  job.release();  // the waiting procedure owns it from here
 }
 
 // Users of a copy of the controller's programs are notified that the programs may have changed.
@@ -240,7 +240,7 @@ Result<> Pump::admit(Job& job, IntentOutcome& report) {
   const auto steps = words_in_steps(catalog_, snapshot_);
   if (states_position(body) && job.restarts_before != snapshot_.restarts)
     return fail(FaultKind::refused, "The controller was switched off and on after this command was given.",
-                "Nothing was sent.", "Check where it stands, then give the command again.");
+                "Nothing was sent.", "Check the position of the axes, then give the command again.");
   if (const auto* home = std::get_if<intent::Home>(&body))
     if (auto possible = check_home(catalog_, *home); !possible) return possible;
   if (auto* run = std::get_if<intent::RunProgram>(&body); run && run->places.empty() && !run->despite_doubt)
@@ -264,8 +264,8 @@ Result<> Pump::may_go_to_all(const Job& job) const {
   bool one_is_stopped = false;
   callbacks_.line->for_each_but(*this, [&](Pump& other) { one_is_stopped |= other.desk_.any(); });
   if (!one_is_stopped) return {};
-  return fail(FaultKind::refused, "One of the devices addressed is being stopped.", "This was not sent.",
-              "Send it again when that device has stopped.");
+  return fail(FaultKind::refused, "One of the devices addressed is being stopped.",
+              "The command was not sent.", "Send it again when that device has stopped.");
 }
 
 /// Not for a refused text: it did not reach the controller. Returns whether it may have been sent.
@@ -321,8 +321,8 @@ Task<> Pump::perform_next() {
     jobs_.restart_was_asked(snapshot_.restarts);
   if (job->is_query) {
     job->answered = true;
-    job->asker.resume(scheduler_.executor());
-    job.release();  // its asker owns it from here
+    job->waiting_procedure.resume(scheduler_.executor());
+    job.release();  // the waiting procedure owns it from here
     co_return;
   }
   if (const auto* load = std::get_if<intent::LoadProgram>(&job->intent.body); load && performed)
@@ -330,8 +330,9 @@ Task<> Pump::perform_next() {
   if (const auto* read = std::get_if<intent::UploadProgram>(&job->intent.body); read && performed)
     snapshot_.slots_torn = static_cast<std::uint8_t>(snapshot_.slots_torn & ~torn_bit(catalog_, read->slot));
   if (performed && desk_.epoch() != epoch && leads_to_a_start(job->intent.body))
-    performed = fail(FaultKind::stopped, "A stop came while this was under way.", "It was completed.",
-                     "The steps that should have followed were dropped: request them again.");
+    performed =
+        fail(FaultKind::stopped, "A stop came while this command was under way.",
+             "The command was completed.", "The commands to follow it were dropped: send them again.");
   if (performed)
     set_outcome(job->intent.id, IntentState::done);
   else

@@ -10,7 +10,10 @@
 
 namespace hw {
 
-constexpr std::string_view stopped_first = "A stop came first. This was not sent.";
+constexpr std::string_view was_closed = "The controller was closed. Nothing was sent.";
+constexpr std::string_view queue_is_full = "Too many commands are queued already. This command was not sent.";
+constexpr std::string_view does_not_answer = "The controller does not answer. Nothing was sent.";
+constexpr std::string_view stopped_first = "A stop came first. The command was not sent.";
 
 /// How often to reconnect while a stop is unconfirmed.
 constexpr Duration retry_with_a_stop = Millis(250);

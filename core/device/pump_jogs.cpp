@@ -38,7 +38,7 @@ bool Pump::withdraw_waiting_jog() {
   if (!jog) return false;
   jog_not_begun(jog->intent);
   set_outcome(jog->intent.id, IntentState::refused,
-              "The button was released before its turn came. Nothing was sent.");
+              "The button was released while the jog was still queued. Nothing was sent.");
   return true;
 }
 
@@ -82,7 +82,7 @@ void Pump::jog_let_go() {
 }
 
 // Held jogs whose axes are no longer seen are stopped. A jog that still waits for its turn moves nothing.
-void Pump::stop_jogs_out_of_sight() {
+void Pump::stop_unseen_jogs() {
   for (const int axis : jogs_.axes_if([this](IntentId id) { return !jobs_.has(id); })) {
     pump_log().debug("{}: {} answers were missed: the jog of axis {} is stopped", LogName{catalog_},
                      station_->statistics().misses_in_a_row, axis + 1);

@@ -34,15 +34,15 @@ Task<Result<std::string>> Pump::query(std::string text, Duration patience) {
   job->patience = patience;
   enqueue(std::move(owned));
   const std::uint64_t epoch = desk_.epoch();
-  while (!job->answered) co_await job->asker.here();
+  while (!job->answered) co_await job->waiting_procedure.here();
   std::unique_ptr<Job> mine(job);
   if (!mine->reply || meaning.answered != TextMeaning::Answered::later) co_return std::move(mine->reply);
-  co_return co_await add_what_comes_later(std::move(*mine->reply), mine->since, epoch, patience);
+  co_return co_await add_late_replies(std::move(*mine->reply), mine->since, epoch, patience);
 }
 
 /// The first of several commands in one text may have been answered already.
-Task<Result<std::string>> Pump::add_what_comes_later(std::string reply, std::uint64_t since,
-                                                     std::uint64_t epoch, Duration patience) {
+Task<Result<std::string>> Pump::add_late_replies(std::string reply, std::uint64_t since, std::uint64_t epoch,
+                                                 Duration patience) {
   auto text = co_await wait_for_text(since, epoch, patience);
   if (reply.empty()) co_return text;
   if (text) (reply += '\r') += *text;
@@ -54,12 +54,12 @@ Task<Result<std::string>> Pump::wait_for_text(std::uint64_t since, std::uint64_t
   const Instant deadline = scheduler_.now() + patience;
   for (bool in_time = true;;) {
     if (desk_.epoch() != epoch)
-      co_return fail(FaultKind::stopped, "A stop ended the wait for the answer.", "It was sent.");
+      co_return fail(FaultKind::stopped, "A stop ended the wait for the reply.", "The command was sent.");
     if (auto text = texts_.answer_since(since)) co_return std::move(*text);
     if (!connected() || closes())
-      co_return fail(FaultKind::lost, "The connection was lost before an answer came.");
+      co_return fail(FaultKind::lost, "The connection was lost before a reply came.");
     if (!in_time)
-      co_return fail(FaultKind::no_answer, fmt::format("No answer came in {:g} s.", seconds(patience)));
+      co_return fail(FaultKind::no_answer, fmt::format("No reply came within {:g} s.", seconds(patience)));
     in_time = co_await published_.wait_until(deadline);
   }
 }

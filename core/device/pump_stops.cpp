@@ -31,10 +31,10 @@ void Pump::post_stop(StopOrder order) {
   const StopOrder& asked = ask(std::move(order));
   pump_log().debug("{}: {} requested{}", LogName{catalog_}, asked,
                    another ? "" : "; waiting commands are dropped, and the command under way ends");
-  if (!another) drop_what_waits();
+  if (!another) drop_waiting_jobs();
   const StopOrder* sending = desk_.sending();
   if (station_ && !(sending && sending->outlasts(asked))) station_->preempt();
-  outage_.hurry_with_a_stop();
+  outage_.retry_at_once_for_stop();
   publish();
   wake_.notify();
 }
@@ -55,7 +55,7 @@ StopOrder& Pump::ask(StopOrder order) {
 }
 
 /// Commands queued before a stop are never sent after it, neither here nor as a broadcast.
-void Pump::drop_what_waits() {
+void Pump::drop_waiting_jobs() {
   refuse_queued(stopped_first);
   if (!callbacks_.line) return;
   callbacks_.line->begin_epoch();
@@ -253,7 +253,7 @@ void Pump::keep_stops_at_loss(const Fault& why, bool drew_together) {
 
 /// Another session on the wire sends this broadcast now.
 void Pump::note_broadcast(const std::string& text, const TextMeaning& meaning) {
-  pump_log().debug("{}: \"{}\" was sent to all on the wire{}", LogName{catalog_}, log::Bytes{text},
+  pump_log().debug("{}: \"{}\" was sent to all devices on the wire{}", LogName{catalog_}, log::Bytes{text},
                    meaning.is_stop() ? ", a stop" : "");
   past_by_broadcast_ = meaning.is_stop() ? std::nullopt : past_travel_of_text(text);
   words_come_between(meaning);
@@ -292,7 +292,7 @@ void Pump::broadcast_was_sent(bool sent) {
 Task<Result<std::string>> Pump::query_stop(std::string text, TextMeaning meaning, Duration patience) {
   const Asking asking(*this);
   struct Asked {
-    Suspended asker;
+    Suspended waiting_procedure;
     std::optional<Result<std::string>> reply;
   };
   const auto asked = std::make_shared<Asked>();
@@ -305,15 +305,15 @@ Task<Result<std::string>> Pump::query_stop(std::string text, TextMeaning meaning
   order.patience = patience;
   order.answer = [this, asked](Result<std::string> reply) {
     asked->reply = std::move(reply);
-    asked->asker.resume(scheduler_.executor());
+    asked->waiting_procedure.resume(scheduler_.executor());
   };
   const std::uint64_t since = texts_.next();
   post_stop(std::move(order));
   const std::uint64_t epoch = desk_.epoch();
-  while (!asked->reply) co_await asked->asker.here();
+  while (!asked->reply) co_await asked->waiting_procedure.here();
   auto& reply = *asked->reply;
   if (!reply || meaning.answered != TextMeaning::Answered::later) co_return std::move(reply);
-  co_return co_await add_what_comes_later(std::move(*reply), since, epoch, patience);
+  co_return co_await add_late_replies(std::move(*reply), since, epoch, patience);
 }
 
 }  // namespace hw

@@ -37,7 +37,7 @@ void Pump::switch_tool_off() {
       Notice::Kind::warning, scheduler_.now(),
       fmt::format("{} with the tool on: {} was switched off.{}",
                   held ? "The program is held" : "The program has ended", tool_outputs_words(tool_.outputs()),
-                  held ? " It comes on again when the program continues." : "")));
+                  held ? " The tool comes on again when the program continues." : "")));
   desk_.ask_tool(tool_.outputs());
   wake_.notify();
 }
@@ -97,16 +97,17 @@ Task<Result<>> Pump::perform_beside_pieces(const IntentBody& body) {
 /// The second half of a move relies on the settings before it, which the text may change.
 void Pump::words_come_between(const TextMeaning& words) {
   if (words.only_asks || !pieces_.is_one_move()) return;
-  pieces_end("Repeat the move: a text was sent while it took up backlash, so its last part was not done.",
+  pieces_end("Repeat the move: a command was sent while it took up backlash, so its last part was not made.",
              false);
 }
 
 /// For a program that cannot be held, or whose tool would stay on during a hold.
 void Pump::report_hold_behind_piece() {
-  callbacks_.notify(Notice(Notice::Kind::warning, scheduler_.now(),
-                           fmt::format("Piece {} is finished first, with its tool; then it is held. Press "
-                                       "Stop to end the piece now and switch the tool off.",
-                                       snapshot_.pieces.done + 1)));
+  callbacks_.notify(
+      Notice(Notice::Kind::warning, scheduler_.now(),
+             fmt::format("Piece {} is finished first, with its tool in use; then the run is held. Press "
+                         "Stop to end the piece now and switch the tool off.",
+                         snapshot_.pieces.done + 1)));
 }
 
 /// If a stop comes meanwhile, the pieces have ended.

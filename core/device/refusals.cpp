@@ -88,8 +88,8 @@ std::string_view words_of(Doubt cause, bool several) {
     case Doubt::restarted:
       return several ? "their power was cut, or they were reset" : "its power was cut, or it was reset";
     case Doubt::after_silence:
-      return several ? "they read zero after answers were missing"
-                     : "it reads zero after answers were missing";
+      return several ? "they read zero after replies were missing"
+                     : "it reads zero after replies were missing";
     case Doubt::reset: return several ? "they were reset" : "it was reset";
     case Doubt::killed:
       return several ? "they were stopped without a ramp at speed" : "it was stopped without a ramp at speed";
@@ -110,9 +110,9 @@ std::string_view brief_words_of(Doubt cause) {
   switch (cause) {
     case Doubt::power_cut: return "power was cut";
     case Doubt::restarted: return "was restarted";
-    case Doubt::after_silence: return "answers were missing";
+    case Doubt::after_silence: return "replies were missing";
     case Doubt::reset: return "was reset";
-    case Doubt::killed: return "killed at speed";
+    case Doubt::killed: return "stopped without a ramp";
     case Doubt::slipped: return "has slipped";
     case Doubt::zero_since: return "zero since the last session";
     case Doubt::another: return "count was changed";
@@ -148,7 +148,7 @@ std::string describe_of_several(const Catalog& catalog, const Snapshot& now,
   const std::string why =
       one_cause ? fmt::format(": {}{}", words_of(first.cause, true), words.when(first.since)) : "";
   return fmt::format(
-      "The positions of {} cannot be trusted{}. Where they are sent {} Home them, set their positions, or go "
+      "The positions of {} cannot be trusted{}. Their targets {} Home them, set their positions, or go "
       "on just this once.",
       listed(names), why, may_lie_elsewhere);
 }

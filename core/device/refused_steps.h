@@ -24,9 +24,9 @@ class PartialWriter {
   virtual ~PartialWriter() = default;
   /// As Language::write, with a comment in place of each refused step. A fault: nothing can be written. The
   /// text must not be run.
-  [[nodiscard]] virtual Result<SequenceText> write_what_can_be(const sequence::Sequence& sequence,
-                                                               const Catalog& catalog,
-                                                               std::vector<RefusedStep>& refused) const = 0;
+  [[nodiscard]] virtual Result<SequenceText> write_with_gaps(const sequence::Sequence& sequence,
+                                                             const Catalog& catalog,
+                                                             std::vector<RefusedStep>& refused) const = 0;
 };
 
 }  // namespace hw

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/rounded_steps.h"
 #include "core/device/tool_off.h"
 #include "core/device/written_speeds.h"
 #include "core/sequence/fields.h"
@@ -97,8 +98,22 @@ tl::unexpected<Fault> SequenceDraft::refuse_field(std::string field, std::string
   return refusal;
 }
 
+tl::unexpected<Fault> SequenceDraft::refuse_single_axis(std::string_view what) const {
+  return refuse(fmt::format("{} needs two axes.", what));
+}
+
+tl::unexpected<Fault> SequenceDraft::refuse_unknown_start() const {
+  return refuse("put an absolute move of both axes before it: its start is not known.");
+}
+
+tl::unexpected<Fault> SequenceDraft::refuse_outputs(std::size_t count, std::uint32_t value,
+                                                    std::string_view kind) const {
+  return refuse(
+      fmt::format("the controller has {} {}; the value {} is too large for them.", count, kind, value));
+}
+
 tl::unexpected<Fault> SequenceDraft::refuse_own_speed() const {
-  return refuse(fmt::format("{} Put a speed step in front.", no_own_speed));
+  return refuse(fmt::format("{} Put a speed step before it.", no_own_speed));
 }
 
 std::optional<std::vector<std::size_t>> refused_step(std::string_view what) {
@@ -136,7 +151,7 @@ bool SequenceDraft::pass_over(const seq::Step& step, const Fault& fault, const B
   if (const auto* move = std::get_if<seq::Move>(&step.body))
     as_if_moved(*move);
   else if (!std::holds_alternative<seq::Arc>(step.body))
-    forget_what_moves({step});
+    forget_moved_axes({step});
   const auto same = [&](const RefusedStep& r) { return r.step == refused.step && r.what == refused.what; };
   if (routine_.empty() || std::none_of(refused_->begin(), refused_->end(), same))
     refused_->push_back(std::move(refused));
@@ -145,15 +160,14 @@ bool SequenceDraft::pass_over(const seq::Step& step, const Fault& fault, const B
 
 /// Otherwise an arc after a refused move would be refused too.
 void SequenceDraft::as_if_moved(const seq::Move& move) {
-  constexpr double far = 1e15;
   for (int a = 0; a < axis_count(); ++a) {
     if (!move.to[ix(a)]) continue;
-    const double steps = std::clamp(*move.to[ix(a)] * sequence.axes[ix(a)].per_unit, -far, far);
+    const std::int64_t steps = rounded_steps(*move.to[ix(a)] * sequence.axes[ix(a)].per_unit).value;
     const auto at = this->at(a);
     if (!move.relative)
-      stands(a, std::llround(steps));
+      stands(a, steps);
     else if (at)
-      stands(a, *at + std::llround(steps));
+      stands(a, *at + steps);
   }
 }
 
@@ -186,7 +200,7 @@ Result<> SequenceDraft::tool_line(std::string_view mark, std::string_view aside)
                   fmt::format("The tool is off while output {} is on: a {} switches its outputs off when it "
                               "is stopped, which switches the tool on.",
                               o.number, catalog.short_name),
-                  "Nothing was written.", "Wire it so that it is off while the output is off.");
+                  "Nothing was written.", "Wire the tool so that it is off while the output is off.");
   if (!tool.empty()) {
     line(std::string(mark) + tool_off_line(tool));
     tool_ = fmt::format(
@@ -221,7 +235,7 @@ Result<std::int64_t> SequenceDraft::steps_of(int place, double units, double low
     const double nearest = steps > high ? high : low;
     return refuse_field(
         place_field(place),
-        fmt::format("{} {} of {} is too far: a {} goes from {:.10g} to {:.10g}.", units, sequence.unit,
+        fmt::format("{} {} of {} is too far: the range of a {} is {:.10g} to {:.10g}.", units, sequence.unit,
                     name(place), catalog.short_name, std::min(low / per_unit, high / per_unit),
                     std::max(low / per_unit, high / per_unit)),
         std::isnan(steps) ? std::nullopt : std::optional(nearest / per_unit));
@@ -257,8 +271,8 @@ Result<StepSpeeds> SequenceDraft::speeds(int place, const seq::Speeds& units) co
     if (!(pps >= 1 && pps <= most))
       return refuse_field(
           key,
-          fmt::format("a {} of {} {}/s on {} is not possible: a {} goes from {:.6g} to {:.10g}.", word, from,
-                      sequence.unit, name(place), catalog.short_name, 1 / per_unit, most / per_unit),
+          fmt::format("a {} of {} {}/s on {} is not possible: the range of a {} is {:.6g} to {:.10g}.", word,
+                      from, sequence.unit, name(place), catalog.short_name, 1 / per_unit, most / per_unit),
           (pps > most ? most : 1) / per_unit);
     *to = static_cast<std::int64_t>(pps);
   }
@@ -304,10 +318,10 @@ bool SequenceDraft::all_alike() const {
                      [this](const seq::Axis& a) { return a.per_unit == sequence.axes[0].per_unit; });
 }
 
-void SequenceDraft::forget_what_moves(const seq::StepList& steps) {
+void SequenceDraft::forget_moved_axes(const seq::StepList& steps) {
   for (const seq::Step& step : steps) {
     if (step.skipped) continue;
-    if (const seq::StepList* inner = steps_in(step)) forget_what_moves(*inner);
+    if (const seq::StepList* inner = steps_in(step)) forget_moved_axes(*inner);
     if (const auto* move = std::get_if<seq::Move>(&step.body)) {
       for (int a = 0; a < axis_count(); ++a)
         if (move->to[ix(a)]) stands(a, std::nullopt);

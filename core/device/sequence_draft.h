@@ -60,6 +60,17 @@ class SequenceDraft {
   [[nodiscard]] tl::unexpected<Fault> refuse_tool() const {
     return refuse("the tool cannot be part of its own routines.");
   }
+  [[nodiscard]] tl::unexpected<Fault> refuse_no_axis() const { return refuse("it moves no axis."); }
+  /// `what`: "an arc" or "a contour".
+  [[nodiscard]] tl::unexpected<Fault> refuse_single_axis(std::string_view what) const;
+  [[nodiscard]] tl::unexpected<Fault> refuse_unknown_start() const;
+  /// The controller has fewer outputs than `value` has bits.
+  [[nodiscard]] tl::unexpected<Fault> refuse_outputs(std::size_t count, std::uint32_t value,
+                                                     std::string_view kind = "outputs") const;
+  /// A step that no contour holds.
+  [[nodiscard]] tl::unexpected<Fault> refuse_in_contour() const {
+    return refuse("a contour can hold only moves, arcs and outputs.");
+  }
   /// "Step 3.2 (arc): a VXM draws no arcs."
   [[nodiscard]] tl::unexpected<Fault> refuse(std::string_view why) const;
   /// Refuses a field by its key in files. `nearest`: the nearest possible value.
@@ -130,7 +141,7 @@ class SequenceDraft {
   void stands(int place, std::optional<std::int64_t> position) { at_[ix(place)] = position; }
   void nothing_known() { at_ = {}; }
   /// Forgets the places of axes that the steps of a loop move: they differ in the next pass.
-  void forget_what_moves(const sequence::StepList& steps);
+  void forget_moved_axes(const sequence::StepList& steps);
 
   /// The place in the catalog of the maker's number.
   [[nodiscard]] Result<int> input(int number) const;

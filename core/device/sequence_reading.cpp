@@ -66,8 +66,8 @@ class Proof {
           std::mismatch(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
                         [](const Operation& a, const Operation& b) { return a.text == b.text; });
       if (our == ours.end() && their == theirs.end()) return finish(std::move(made));
-      if (!leave_what_differs(our == ours.end() ? nullptr : &*our, their == theirs.end() ? nullptr : &*their,
-                              *written))
+      if (!leave_difference(our == ours.end() ? nullptr : &*our, their == theirs.end() ? nullptr : &*their,
+                            *written))
         return no_block_for(text_, our == ours.end() ? text_.size() : our->at.begin,
                             "no block can represent this, and blocks around it would change it.");
     }
@@ -120,7 +120,7 @@ class Proof {
           return no_block_for(
               text_, step.at.begin,
               std::get<sequence::Custom>(step.body).about + ". The rest is not a block either.");
-      return fail(FaultKind::text, "The text contains no command.", "The blocks are as they were.");
+      return fail(FaultKind::text, "The text contains no command.", blocks_unchanged);
     }
     return SequenceRead{std::move(made), std::move(read_.remarks)};
   }
@@ -209,7 +209,7 @@ class Proof {
     if (why.ends_with('.')) why.remove_suffix(1);
     return leave(spot, why);
   }
-  bool leave_what_differs(const Operation* our, const Operation* their, const SequenceText& written) {
+  bool leave_difference(const Operation* our, const Operation* their, const SequenceText& written) {
     constexpr std::string_view why = "blocks would write it differently";
     if (((our && our->speed) || (their && their->speed)) && leave_speeds()) return true;
     if (our) {
@@ -291,7 +291,7 @@ class Settings {
     return known;
   }
   /// After a block that may be skipped or repeated, the settings that it changes are unknown.
-  void forget_what_changes(const Operations& operations, std::size_t from, std::size_t to) {
+  void forget_changed_settings(const Operations& operations, std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
       if (operations[i].flow == Operation::Flow::changes_all) return known_.clear();
       if (!operations[i].sets.empty() && !is_set(operations[i])) known_.erase(operations[i].sets);
@@ -329,7 +329,7 @@ Operations essentials(const Operations& operations, const std::map<std::string, 
   for (std::size_t i = 0; i < operations.size(); ++i) {
     Operation operation = operations[i];
     if (operation.flow == Operation::Flow::begins_block) {
-      now.forget_what_changes(operations, i + 1, ends[i]);
+      now.forget_changed_settings(operations, i + 1, ends[i]);
       throughout.push_back(now);
     } else if (operation.flow == Operation::Flow::changes_all) {
       now.forget();
@@ -373,8 +373,7 @@ int line_of(std::string_view text, std::size_t at) {
 }
 
 tl::unexpected<Fault> no_block_for(std::string_view text, std::size_t at, std::string_view why) {
-  return fail(FaultKind::text, fmt::format("Line {}: {}", line_of(text, at) + 1, why),
-              "The blocks are as they were.");
+  return fail(FaultKind::text, fmt::format("Line {}: {}", line_of(text, at) + 1, why), blocks_unchanged);
 }
 
 }  // namespace hw

@@ -91,6 +91,17 @@ struct ReadingLanguage {
 [[nodiscard]] Result<SequenceRead> prove(ReadText read, std::string_view text,
                                          const ReadingLanguage& language);
 
+/// Reasons that all readers word alike.
+namespace why {
+inline constexpr std::string_view no_block = "no block does this";
+inline constexpr std::string_view no_test = "no block tests this condition";
+inline constexpr std::string_view no_such_loop = "no loop of blocks continues like this";
+inline constexpr std::string_view no_such_axis = "an axis that the blocks do not have";
+inline constexpr std::string_view too_deep = "nested too deep for blocks";
+inline constexpr std::string_view unlike_speeds = "speeds that differ between axes";
+}  // namespace why
+inline constexpr const char* blocks_unchanged = "The blocks are unchanged.";
+
 /// From 0.
 [[nodiscard]] int line_of(std::string_view text, std::size_t at);
 /// "Line 3: why".

@@ -5,17 +5,13 @@
 #include <cmath>
 
 #include "core/base/index.h"
+#include "core/base/rounded_steps.h"
 #include "core/sequence/places_before.h"
 
 namespace hw {
 
 namespace seq = sequence;  // files of this folder are compiled together
 namespace {
-
-Steps steps_of(double units, double per_unit) {
-  constexpr double far = 1e15;
-  return Steps(std::llround(std::clamp(units * per_unit, -far, far)));
-}
 
 seq::Places standing_at(const seq::Sequence& sequence, const Catalog& catalog, const Snapshot& now) {
   seq::Places begin;
@@ -56,7 +52,7 @@ std::vector<AxisTarget> places_of_run(const seq::Sequence& sequence, const Catal
       if (endless)
         places.push_back({axis, end});
       else if (units)
-        places.push_back({axis, steps_of(*units, sequence.axes[a].per_unit)});
+        places.push_back({axis, rounded_steps(*units * sequence.axes[a].per_unit)});
     };
     put(reach.least[a], reach.endless_minus[a], Steps(0) - without_end);
     put(reach.greatest[a], reach.endless_plus[a], without_end);

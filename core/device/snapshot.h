@@ -307,11 +307,11 @@ struct Ending {
   int slot = -1;          ///< of a program, or its thread where the catalog has threads; -1: not known
   Instant began{}, at{};  ///< when each was first seen
   EndedBy by = EndedBy::nothing;
-  StoppedBy who = StoppedBy::unknown;  ///< if it was stopped
-  Doubt lost_with = Doubt::none;       ///< if it was lost: the state of the controller afterwards
-  bool beside_program = false;         ///< of a motion: a program of the controller ran when it ended
-  bool of_run = false;                 ///< of a motion: a program, list or drawing ran while it moved
-  bool perhaps_limit = false;          ///< of a motion cut short: nothing shows that it was not by a switch
+  StoppedBy stopped_by = StoppedBy::unknown;  ///< if it was stopped
+  Doubt lost_with = Doubt::none;              ///< if it was lost: the state of the controller afterwards
+  bool beside_program = false;                ///< of a motion: a program of the controller ran when it ended
+  bool of_run = false;                        ///< of a motion: a program, list or drawing ran while it moved
+  bool perhaps_limit = false;  ///< of a motion cut short: nothing shows that it was not by a switch
   /// Of a motion that the console stopped: from the request to the first byte, and to rest.
   bool timed = false;
   Duration to_wire{}, to_rest{};

@@ -15,4 +15,7 @@ struct TextGoals {
   int runs = -1;
 };
 
+/// Commands of one text that are followed, those of loops and of stored programs as often as they run.
+inline constexpr int most_goal_commands = 20'000;
+
 }  // namespace hw

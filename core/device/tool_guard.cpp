@@ -51,7 +51,7 @@ Result<> ToolGuard::begin(const IntentBody& intent, const Snapshot& now) {
                     fmt::format("The tool of this program is switched off by output {}, which a {} does not "
                                 "have.",
                                 o.number, catalog_.short_name),
-                    "The program was not taken.");
+                    "The program was not loaded.");
     loading_ = std::move(*tool);
     gather();
   } else if (!all_.empty() && !catalog_.can.outputs_while_held &&

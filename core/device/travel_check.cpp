@@ -116,23 +116,23 @@ std::string describe_past(const Catalog& catalog, const PastTravel& past, const 
       past.of == PastTravel::Of::text ? "It was sent as it is." : "Nothing was sent.";
   if (past.of == PastTravel::Of::jog)
     return fmt::format(
-        "{} stands at the {} limit that is set for it, {}, or beyond. {} Jog it the other way, or change the "
+        "{} is at the {} limit set for it, {}, or beyond. {} Jog it the other way, or change the "
         "limit.",
         capital(name), sign, limit, done);
   const bool endless = past.place == without_end || past.place == Steps(0) - without_end;
   if (endless && past.of == PastTravel::Of::text)
     return fmt::format(
-        "This text leads past a limit: nothing in it ends the motion of {} before its {} limit, "
+        "This text moves past a limit: nothing in it ends the motion of {} before its {} limit, "
         "{}. {}",
         name, sign, limit, done);
   if (endless)
-    return fmt::format("An endless loop moves {} further in each pass, and so past its {} limit, {}. {}",
+    return fmt::format("An endless loop moves {} further in each pass, and so goes past its {} limit, {}. {}",
                        name, sign, limit, done);
   const Steps beyond = past.side == Sign::plus ? past.place - past.nearest : past.nearest - past.place;
   std::string where = past.row < 0 ? std::string() : fmt::format("Row {}: ", past.row + 1);
   if (past.of == PastTravel::Of::backlash)
     where += "To take up backlash, the move would go further than its target: ";
-  if (past.of == PastTravel::Of::text) where += "This text leads past a limit: ";
+  if (past.of == PastTravel::Of::text) where += "This text moves past a limit: ";
   return fmt::format("{}{} lies {} past the {} limit of {}, {}. {}", where, place(past.axis, past.place),
                      distance_in_words(place, past.axis, beyond), sign, name, limit, done);
 }

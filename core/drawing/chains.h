@@ -1,6 +1,6 @@
 #pragma once
 // Joins paths with touching ends to chains, which are drawn without lifting the tool, and orders the chains
-// for short ways in between.
+// for short travel between them.
 #include <functional>
 #include <vector>
 

@@ -28,7 +28,7 @@ struct Curve {
 struct Path {
   std::vector<Curve> curves;
   int entity = 0;  ///< number in the file, from 1
-  int line = 0;    ///< of the file, where it begins
+  int line = 0;    ///< line of the file where it begins
   int layer = 0;   ///< in Drawing::layers
   [[nodiscard]] bool closed() const;
 };

@@ -103,7 +103,8 @@ class Collector : public DL_CreationAdapter {
     constexpr int closed = 1, smoothed = 4, in_space = 8, mesh = 16, faces = 64;
     polyline_ = Polyline{(p.flags & closed) != 0, (p.flags & in_space) != 0, is_mirrored(), {}};
     if ((p.flags & (mesh | faces)) != 0) leave_out("it is a mesh");
-    if ((p.flags & smoothed) != 0) leave_out("it is smoothed by a spline that only its program knows");
+    if ((p.flags & smoothed) != 0)
+      leave_out("it is smoothed by a spline that only the program that made it knows");
     if (!polyline_->mirrored && !polyline_->in_space)
       leave_out("it does not lie in the plane of the drawing");
   }
@@ -227,7 +228,7 @@ class Collector : public DL_CreationAdapter {
     left_out_ = false;
     if (current_ >= scanned_.size()) return;
     const ScannedEntity& e = scanned_[current_];
-    if (e.on_sheet) leave_out("it is on the sheet, not in the model");
+    if (e.on_sheet) leave_out("it is in paper space, not in model space");
     if (e.hidden) leave_out("it is hidden in the file");
     if (e.no_number != 0) leave_out(no_number(e));
     if (e.miscounted) leave_out("its number of parts differs from the number it declares");
@@ -347,10 +348,10 @@ Result<DxfFile> read_blocks(std::string_view text, const std::vector<ScannedEnti
     DL_Dxf parser;
     if (!parser.in(in, &collector))
       return fail(FaultKind::text, fmt::format("{} cannot be read as a DXF file.", name),
-                  "Nothing was taken from it.");
+                  "Nothing was loaded from it.");
   } catch (const std::exception& e) {
     return fail(FaultKind::text, fmt::format("{} cannot be read as a DXF file: {}.", name, e.what()),
-                "Nothing was taken from it.");
+                "Nothing was loaded from it.");
   }
   collector.end();
   return file;

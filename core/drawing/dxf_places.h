@@ -1,6 +1,6 @@
 #pragma once
-// Finds the places in the model of entities that are not drawn, as users look for them in the drawing, not in
-// the file.
+// Finds the places of undrawn entities in the model, because users look for them in the drawing, not in the
+// file.
 #include <string_view>
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace hw::drawing {
 
-/// `text`: the file whose lines they give. Entities in blocks get no place.
+/// `text`: the file to which the lines in `left_out` refer. Entities in blocks get no place.
 void find_places(std::string_view text, std::vector<LeftOut>& left_out);
 
 }  // namespace hw::drawing

@@ -45,7 +45,7 @@ class InsertPlacing {
     place(file_.model, Affine(), "0", nullptr, 0);
     if (curves_ <= most_curves) return {};
     return fail(FaultKind::text, fmt::format("{} draws more than {} lines and arcs.", name, most_curves),
-                "Nothing was taken from it.",
+                "Nothing was loaded from it.",
                 "Blocks that are inserted many times in other blocks can cause this.");
   }
 
@@ -132,7 +132,7 @@ class InsertPlacing {
 }  // namespace
 
 /// The parser loops for ever on a line longer than its buffer. Numbers and names are shorter, so only texts
-/// are cut. Nor does it know a name with blanks around it.
+/// are cut. The parser does not recognise a name with blanks around it either.
 static constexpr std::size_t longest_parsed_line = 1000;
 
 static std::string with_plain_lines(std::string_view text) {

@@ -12,7 +12,7 @@
 namespace hw::drawing {
 namespace {
 
-constexpr std::string_view nothing_taken = "Nothing was taken from it.";
+constexpr std::string_view nothing_taken = "Nothing was loaded from it.";
 
 /// Pairs of lines: a group code, and its value.
 class Pairs {
@@ -75,7 +75,7 @@ bool is_measure(int code) {
 /// Whether the group names an entity, block, layer or variable.
 bool is_name(int code) { return code == 0 || code == 2 || code == 8 || code == 9; }
 
-/// As the parser reads numbers: a decimal comma is allowed, and underflow is 0.
+/// Whether the parser reads the text as a number: a decimal comma is allowed, and underflow is 0.
 bool is_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
@@ -195,7 +195,7 @@ class Scan {
 Result<> may_be_read(std::uintmax_t bytes, const std::string& name) {
   if (bytes <= largest_dxf) return {};
   return fail(FaultKind::text,
-              fmt::format("{} has {} MB; more than {} are not read.", name, bytes / 1'000'000,
+              fmt::format("{} has {} MB: a file of more than {} MB is not read.", name, bytes / 1'000'000,
                           largest_dxf / 1'000'000),
               std::string(nothing_taken), "Save the part to be drawn as a separate file.");
 }
@@ -214,7 +214,7 @@ Result<ScannedDxf> scan_dxf(std::string_view text, const std::string& name) {
   if (const std::size_t zero = text.find('\0'); zero != text.npos)
     return fail(
         FaultKind::text,
-        fmt::format("{}, line {}: there is a zero byte, which no text has.", name,
+        fmt::format("{}, line {}: it contains a zero byte, which no text file has.", name,
                     std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n') + 1),
         std::string(nothing_taken), "Is it a DXF file? Save or copy it again.");
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);

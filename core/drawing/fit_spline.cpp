@@ -79,7 +79,7 @@ class Interpolating {
   }
 
   const FitPoints& fit_;
-  std::vector<Point> chords_, ways_;  ///< ways: along the curve, at each point
+  std::vector<Point> chords_, ways_;  ///< ways: directions along the curve at each point
   std::vector<double> lengths_;
 };
 

@@ -37,8 +37,8 @@ class NearPoints {
 
   // Each part is divided by its middle point; smaller ones lie before it.
   std::vector<Entry> entries_;
-  std::vector<int> left_;            ///< points left in the part with that middle
-  std::vector<char> by_x_, gone_;    ///< of that middle
+  std::vector<int> left_;            ///< points left in the part divided by that middle point
+  std::vector<char> by_x_, gone_;    ///< of that middle point
   std::vector<std::size_t> begins_;  ///< of an owner's places in `owned_`
   std::vector<std::size_t> owned_;
 };

@@ -19,7 +19,8 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-/// `px`: a pixel of the picture in the path's units. Not every program knows a stroke that does not scale.
+/// `px`: a pixel of the picture in the path's units. Used because some programs do not support a stroke that
+/// does not scale.
 void write_runs(std::string& out, const SvgLayer& layer, bool tool_on, double px) {
   const ToolPath& path = *layer.path;
   const auto wanted = [tool_on](const ToolPath::Run& run) { return run.tool_on == tool_on; };
@@ -45,7 +46,7 @@ struct Arrow {
 };
 std::vector<Arrow> arrows_along(const ToolPath& path, double apart) {
   std::vector<Arrow> arrows;
-  double since = apart / 2;  // a short path has one too
+  double since = apart / 2;  // a short path has an arrow too
   for (const ToolPath::Run& run : path.runs)
     for (std::size_t i = run.first + 1; i < run.first + run.size; ++i) {
       const Point3 &from = path.points[i - 1], &to = path.points[i];
@@ -85,8 +86,8 @@ double round_length(double most) {
 }
 
 /// The text below the paths: a bar of a round length, and the axes.
-struct Foot {
-  Foot(double left, double top, double wide, double longest, const SvgWords& given)
+struct Legend {
+  Legend(double left, double top, double wide, double longest, const SvgWords& given)
       : x(left), y(top), width(wide), words(given) {
     constexpr double lines = 45, of_a_letter = 0.62, room = 3;  // in the height of a letter
     const auto letters = static_cast<double>(std::max<std::size_t>(given.about.size(), 16));
@@ -120,7 +121,7 @@ std::string path_svg(std::span<const SvgLayer> layers, const SvgWords& words) {
     if (layer.path) box.add(layer.path->bounds);
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
   const double longest = std::max({width, height, 1e-6}), air = longest * 0.02, w = width + 2 * air;
-  const Foot foot(box.low.x, -box.low.y + air, std::max(width, longest / 4), longest, words);
+  const Legend foot(box.low.x, -box.low.y + air, std::max(width, longest / 4), longest, words);
   const double h = height + 2 * air + foot.height;
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   if (known_to_svg(words.unit))

@@ -16,7 +16,8 @@ struct SvgLayer {
   bool directed = false;  ///< has arrows that show its direction, in the group "NAME-direction"
 };
 struct SvgWords {
-  /// As people write it; if SVG has it (mm, in, cm), the image is true to size. Not empty: there is a scale.
+  /// As people write it. If SVG knows the unit (mm, in, cm), the image is true to size. If it is not empty,
+  /// the image has a scale.
   std::string_view unit;
   std::string_view about;  ///< meaning of the numbers, for people; below the paths
 };

@@ -25,21 +25,21 @@ Point3 split(double degrees) {
 
 }  // namespace
 
-Projection::Projection(const Box3& box, const Looking& looking, bool equal)
+Projection::Projection(const Box3& box, const ViewDirection& direction, bool equal)
     : pivot_(box.centre()), scale_(scale_of(box.size(), equal)) {
   nearness_ = 1 / (eye_at * std::max(length(times(box.size(), scale_)) / 2, 1e-9));
-  turn(looking);
+  turn(direction);
 }
 
-void Projection::turn(const Looking& to) {
-  looking_ = to;
+void Projection::turn(const ViewDirection& to) {
+  direction_ = to;
   const Point3 around = split(to.turn), over = split(to.tilt);
   right_ = times({around.x, around.y, 0}, scale_);
   toward_ = times({over.x * around.y, -over.x * around.x, over.y}, scale_);
   up_ = times({-over.y * around.y, over.y * around.x, over.x}, scale_);
 }
 
-Projection Projection::turned(const Looking& to) const {
+Projection Projection::turned(const ViewDirection& to) const {
   Projection other = *this;
   other.turn(to);
   return other;

@@ -5,13 +5,13 @@
 namespace hw::drawing {
 
 /// Direction of view: 0, 0 is from the front, along the second axis, with the third upwards.
-struct Looking {
+struct ViewDirection {
   double turn = 0;  ///< degrees about the third axis; 90: from the right side
   double tilt = 0;  ///< degrees upwards; 90: from the top, -90: from below
-  bool operator==(const Looking&) const = default;
+  bool operator==(const ViewDirection&) const = default;
 };
-namespace looking {
-inline constexpr Looking top{0, 90}, front{0, 0}, side{90, 0}, iso{45, 35.264389682754654};
+namespace views {
+inline constexpr ViewDirection top{0, 90}, front{0, 0}, side{90, 0}, iso{45, 35.264389682754654};
 }
 
 /// Projects the axes to the view plane: in perspective, or for two axes unchanged, their plane seen from far
@@ -21,7 +21,7 @@ class Projection {
   Projection() = default;
   /// Around the middle of `box`, from far enough that all of it is in front of the eye. `equal`: the axes
   /// have the same unit; otherwise each is scaled to the same length.
-  Projection(const Box3& box, const Looking& looking, bool equal);
+  Projection(const Box3& box, const ViewDirection& direction, bool equal);
 
   [[nodiscard]] Point on_plane(Point3 p) const {
     const Point3 d = p - pivot_;
@@ -37,18 +37,18 @@ class Projection {
   [[nodiscard]] Point3 from_plane(Point on) const;
   /// Two axes, unchanged.
   [[nodiscard]] bool flat() const { return nearness_ == 0; }
-  [[nodiscard]] const Looking& from() const { return looking_; }
+  [[nodiscard]] const ViewDirection& from() const { return direction_; }
   /// The same pivot from another direction. Three axes only.
-  [[nodiscard]] Projection turned(const Looking& to) const;
+  [[nodiscard]] Projection turned(const ViewDirection& to) const;
   /// Whether all of `box` is drawn correctly.
   [[nodiscard]] bool reaches(const Box3& box) const;
   bool operator==(const Projection&) const = default;
 
  private:
-  void turn(const Looking& to);
+  void turn(const ViewDirection& to);
   static constexpr double least_depth = 0.1;  // nothing nearer is drawn correctly
 
-  Looking looking_ = looking::top;
+  ViewDirection direction_ = views::top;
   Point3 pivot_, scale_{1, 1, 1};
   Point3 right_{1, 0, 0}, up_{0, 1, 0}, toward_{0, 0, 1};  ///< times `scale_`
   double nearness_ = 0;                                    ///< 1 / distance of the eye

@@ -48,7 +48,8 @@ bool within_contours(const StepList& routine, const std::vector<int>& outputs) {
 class Draw {
  public:
   Draw(const Tool& tool, Sequence& sequence) : tool_(tool), s_(sequence) {
-    on_the_way_ = tool.going == Going::contours && within_contours(s_.pen_down, tool.contour_outputs) &&
+    on_the_way_ = tool.curve_mode == CurveMode::contours &&
+                  within_contours(s_.pen_down, tool.contour_outputs) &&
                   within_contours(s_.pen_up, tool.contour_outputs);
   }
   void begin() {
@@ -66,7 +67,7 @@ class Draw {
     travel(c.begin());
     add(Pen{true});
     if (!curves.empty()) {
-      if (tool_.going == Going::contours)
+      if (tool_.curve_mode == CurveMode::contours)
         contours(curves);
       else
         along(curves);
@@ -109,7 +110,7 @@ class Draw {
     return same(0, a.x, b.x) && same(1, a.y, b.y);
   }
   void travel(Point to) {
-    if (tool_.going == Going::stairs)
+    if (tool_.curve_mode == CurveMode::stairs)
       single(to, tool_.travel);
     else
       add(move_to(to, tool_.travel));
@@ -126,11 +127,11 @@ class Draw {
   }
   void along(const std::vector<Curve>& curves) {
     for (const Curve& curve : curves) {
-      if (curve.kind == Curve::Kind::arc && tool_.going == Going::arcs) {
+      if (curve.kind == Curve::Kind::arc && tool_.curve_mode == CurveMode::arcs) {
         Arc arc = on_steps(curve);
         if (tool_.cutting != Speeds{}) arc.own = tool_.cutting;
         add(arc);
-      } else if (tool_.going == Going::stairs) {
+      } else if (tool_.curve_mode == CurveMode::stairs) {
         chords(curve, tool_.chord(), [this](Point to) { stairs(to); });
       } else {
         chords(curve, tool_.chord(), [this](Point to) { add(move_to(to, tool_.cutting)); });
@@ -153,8 +154,8 @@ class Draw {
     }
     single(to, tool_.cutting);
   }
-  /// If the tool can be switched on the way: a lead-in, on, the chain, off and a ramp. Otherwise from rest to
-  /// rest at full speed. A long chain becomes several contours.
+  /// If the tool can be switched during a contour: a lead-in, tool on, the chain, tool off, and a ramp.
+  /// Otherwise the chain runs from rest to rest at full speed. A long chain becomes several contours.
   void contours(const std::vector<Curve>& curves) {
     const std::size_t most = ix_of(tool_.contour_pieces);
     for (std::size_t first = 0; first < curves.size(); first += most) {

@@ -23,7 +23,7 @@ Affine place(std::vector<Chain>& chains, const Placing& placing);
 Box box_of(const std::vector<Chain>& chains);
 
 /// How the machine follows a chain.
-enum class Going : std::uint8_t {
+enum class CurveMode : std::uint8_t {
   contours,  ///< without a stop
   arcs,      ///< lines and arcs, with a stop after each
   lines,     ///< lines, with a stop after each; arcs become chords
@@ -31,16 +31,16 @@ enum class Going : std::uint8_t {
 };
 /// Largest distance of chords from their curve, for a total of `tolerance`: half of it for stairs, which
 /// approximate the chords in turn.
-constexpr double chord_within(double tolerance, Going going) {
-  return going == Going::stairs ? tolerance / 2 : tolerance;
+constexpr double chord_within(double tolerance, CurveMode curve_mode) {
+  return curve_mode == CurveMode::stairs ? tolerance / 2 : tolerance;
 }
 struct Tool {
-  Going going = Going::lines;
+  CurveMode curve_mode = CurveMode::lines;
   double tolerance = 0.01;  ///< of chords and stairs, in units of the sequence
   sequence::Speeds cutting, travel;
   std::vector<int> contour_outputs;  ///< outputs that can be switched within a contour
   int contour_pieces = 40;           ///< largest number of pieces in a contour
-  [[nodiscard]] double chord() const { return chord_within(tolerance, going); }
+  [[nodiscard]] double chord() const { return chord_within(tolerance, curve_mode); }
 };
 /// Calls `put` with the end of each chord, in order, the last at the end of `curve`.
 void chords(const Curve& curve, double tolerance, const std::function<void(Point)>& put);
@@ -48,7 +48,7 @@ void chords(const Curve& curve, double tolerance, const std::function<void(Point
 /// are not changed, lower and lift the tool. Returns the first step of each chain.
 std::vector<std::size_t> draw_chains(const std::vector<Chain>& chains, const Tool& tool,
                                      sequence::Sequence& sequence);
-/// Appends one turn around the box with the tool up, from its lower left corner back to it.
+/// Appends a drive around the box with the tool up, from its lower left corner back to that corner.
 void draw_frame(const Box& box, const Tool& tool, sequence::Sequence& sequence);
 
 }  // namespace hw::drawing

@@ -116,7 +116,7 @@ Shape bulged(Point from, Point to, double bulge) {
   constexpr double rounding = 1e-8;  // below: a centre too far away for exact ends
   if (std::fabs(bulge) < rounding || size(way) == 0) return Line{from, to};
   const double angle = 4 * std::atan(bulge);
-  const double ahead = (1 / bulge - bulge) / 4;  // of the centre, to the left of the chord's middle
+  const double ahead = (1 / bulge - bulge) / 4;  // distance of the centre to the left of the chord's middle
   const Point centre{(from.x + to.x) / 2 - way.y * ahead, (from.y + to.y) / 2 + way.x * ahead};
   const Point u{from.x - centre.x, from.y - centre.y};
   const double sense = bulge > 0 ? 1 : -1;
@@ -134,7 +134,7 @@ Shape moved(const Shape& shape, const Affine& affine) {
 
 std::string_view flaw_of(const Spline& s) {
   constexpr int highest_degree = 25;
-  if (s.degree < 1 || s.degree > highest_degree) return "its degree is not possible";
+  if (s.degree < 1 || s.degree > highest_degree) return "its degree is out of range";
   const auto degree = static_cast<std::size_t>(s.degree);
   if (s.points.size() < degree + 1) return "it has too few control points";
   if (s.knots.size() != s.points.size() + degree + 1) return "it has the wrong number of knots";

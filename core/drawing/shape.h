@@ -1,6 +1,6 @@
 #pragma once
 // Exact curves of a drawing file. Each keeps its type under shift, turn, scale and mirror, so that nested
-// blocks lose nothing; lines and arcs are made last.
+// blocks lose nothing; they become lines and arcs only at the end.
 #include <variant>
 #include <vector>
 
@@ -53,7 +53,7 @@ Ellipse arc_of(Point centre, double radius, double begin_degrees, double end_deg
 /// is 0 or negligible.
 Shape bulged(Point from, Point to, double bulge);
 Shape moved(const Shape& shape, const Affine& affine);
-/// The error in its numbers; empty: none.
+/// The error in the spline's numbers; empty: none.
 std::string_view flaw_of(const Spline& spline);
 Point point_at(const Spline& spline, double t);
 /// Appends the shape to `curves` as lines and arcs.

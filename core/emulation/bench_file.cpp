@@ -46,7 +46,7 @@ class Reader {
     if (fault_) return;
     const auto at = node.source().begin;
     fault_ = Fault(FaultKind::text, fmt::format("{}:{}:{}: {}.", name_, at.line, at.column, what),
-                   "Nothing of the file was used.", std::move(advice));
+                   "The file was not used.", std::move(advice));
   }
 
   template <class Each>
@@ -297,7 +297,7 @@ class Reader {
 std::string_view problem_of(const AxisPlace& place) {
   for (const auto& steps : {place.minus, place.plus, place.home_from, place.home_to, place.index_every,
                             place.backlash, place.scatter})
-    if (steps && (steps->value > furthest || steps->value < -furthest)) return "a distance is too far";
+    if (steps && (steps->value > furthest || steps->value < -furthest)) return "a distance is too long";
   if (place.minus && place.plus && *place.minus >= *place.plus) return "minus must be below plus";
   if (place.home_from && place.home_to && *place.home_from > *place.home_to)
     return "home must be [from, to], the lower first";
@@ -316,9 +316,9 @@ Result<BenchFile> parse_bench_file(std::string_view text, const Catalog& catalog
   const toml::parse_result parsed = toml::parse(text);
   if (!parsed) {
     const auto at = parsed.error().source().begin;
-    return fail(
-        FaultKind::text, fmt::format("{}:{}:{}: {}.", name, at.line, at.column, parsed.error().description()),
-        "Nothing of the file was used.", "A bench file is TOML: [axis.1], then lines like plus = 90000.");
+    return fail(FaultKind::text,
+                fmt::format("{}:{}:{}: {}.", name, at.line, at.column, parsed.error().description()),
+                "The file was not used.", "A bench file is TOML: [axis.1], then lines like plus = 90000.");
   }
   return Reader(catalog, name).read(parsed.table());
 }

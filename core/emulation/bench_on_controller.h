@@ -14,8 +14,7 @@ Result<> on_controller(const BenchCommand& command, const Act& act) {
                                  std::is_same_v<Operation, bench::Garble> ||
                                  std::is_same_v<Operation, bench::Drop>;
     if constexpr (of_the_wire)
-      return fail(FaultKind::refused,
-                  "Faults of the wire are made where the wire is, not in the controller.");
+      return fail(FaultKind::refused, "This is a fault of the wire: the controller cannot cause it.");
     else
       return act(operation);
   };

@@ -2,6 +2,7 @@
 // A controller's firmware in miniature: a passive object without clock, thread or I/O. Its owner feeds it
 // bytes, takes its output and advances its time. The same object runs in real time behind a pty, ten thousand
 // times faster in a test, and under a fuzzer.
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,11 @@ namespace hw {
 
 struct Catalog;
 struct ControllerState;
+
+/// Trigger pulses that an emulator remembers.
+inline constexpr std::size_t pulses_kept = 100'000;
+/// Events at one instant before time has to go on.
+inline constexpr int most_events_at_once = 100'000;
 
 class Emulator {
  public:
@@ -39,7 +45,7 @@ class Emulator {
   virtual void look(BenchView& view) const = 0;
   /// The true state of its axes at the last advance_to(). axis_count 0: not available.
   virtual void report_truth(MachineTruth&) const {}
-  /// Trigger pulses so far, oldest first (kept to the last 100,000).
+  /// The last `pulses_kept` trigger pulses, and perhaps some before them, oldest first.
   [[nodiscard]] virtual const std::vector<TriggerPulse>& pulses() const = 0;
 
   /// Its present line rate; 0: none.

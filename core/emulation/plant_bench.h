@@ -54,8 +54,7 @@ Result<> act_on_plants(const BenchCommand& command, const PlantOf& plant_of, con
       power(false);
       power(true);
     } else {
-      return fail(FaultKind::refused, "This controller has nothing of that kind on its bench.",
-                  "Nothing was changed.");
+      return fail(FaultKind::refused, "The bench of this controller cannot do that.", "Nothing was changed.");
     }
     return {};
   };

@@ -46,7 +46,7 @@ struct LinkFinding {
 LinkBudget link_budget(const LinkFacts& facts);
 /// With all fixes that the findings offer.
 LinkBudget best_link_budget(const LinkFacts& facts);
-/// "One question takes 31.0 ms: 32 a second. 3.8 ms are possible: 263 a second." Empty: nothing was measured.
+/// "One query takes 31.0 ms: 32 per second. 3.8 ms is possible: 263 per second." Empty: nothing was measured.
 std::string link_summary(const LinkFacts& facts);
 /// Faults first, then possible improvements, then what is good.
 std::vector<LinkFinding> examine_link(const LinkFacts& facts);

@@ -8,7 +8,9 @@
 
 namespace hw {
 
-Fault stop_came_first() { return Fault(FaultKind::stopped, "A stop came first.", "This was not sent."); }
+Fault stop_came_first() {
+  return Fault(FaultKind::stopped, "A stop came first.", "The command was not sent.");
+}
 
 static TrafficKind traffic_kind(const Transaction& t) {
   if (t.own_question) return TrafficKind::poll;
@@ -59,7 +61,7 @@ Duration Link::wire_time(std::size_t bytes) const {
 Task<Result<std::string>> Link::transact(Station& station, Transaction transaction) {
   Pending pending(station, std::move(transaction));
   waiting_[static_cast<std::size_t>(pending.transaction.priority)].push_back(&pending);
-  if (pending.transaction.priority == Priority::stop) hurry_for_a_stop();
+  if (pending.transaction.priority == Priority::stop) shorten_for_stop();
   start_next();
   while (!pending.finished) co_await pending.suspended.here();
   co_return std::move(pending.result);
@@ -67,7 +69,7 @@ Task<Result<std::string>> Link::transact(Station& station, Transaction transacti
 
 // A stop waits no longer than for a usual reply, whatever the patience of the question in flight. A reply
 // that is coming in is received to its end.
-void Link::hurry_for_a_stop() {
+void Link::shorten_for_stop() {
   constexpr std::size_t usual_answer = 16;
   if (!in_flight_ || !stream_ || !in_flight_->is_question()) return;
   if (in_flight_->transaction.reply.kind == ReplyShape::Kind::quiet_end && !received_.empty()) return;
@@ -111,7 +113,7 @@ bool Link::nothing_waits() const {
 
 void Link::start_next() {
   if (in_flight_ || !is_open() || nothing_waits()) return;
-  if (a_will_may_be_carried_out())
+  if (wills_.may_be_carried_out())
     return give_up_soon(Fault(FaultKind::lost,
                               "This program was suspended for about a second while a jog was held.",
                               "The watchdog has stopped the jog."));
@@ -152,7 +154,7 @@ void Link::start_next() {
   constexpr std::size_t usual_answer = 16;
   deadline_.arm(deadline_at_ =
                     sent_at_ + patience_for(*last_sender_, t) + wire_time(t.bytes.size() + usual_answer));
-  if (!waiting_[static_cast<std::size_t>(Priority::stop)].empty()) hurry_for_a_stop();
+  if (!waiting_[static_cast<std::size_t>(Priority::stop)].empty()) shorten_for_stop();
   stream_->send(t.bytes);
 }
 
@@ -160,11 +162,7 @@ Duration Link::patience_for(const Station& station, const Transaction& t) const 
   const bool is_stop = t.priority == Priority::stop && !t.own_question;  // repeated rather than waited for
   const Duration most = t.impatient ? Duration::zero() : is_stop ? longest_wait_of_a_stop : Duration::max();
   const Duration late = std::min(station.lateness(), most);
-  const bool all_silent =
-      silent_in_a_row_ > 2 * static_cast<int>(station_count());  // the wire is slow, or dead
-  if (!t.prompt || station_count() < 2 || prompt_answers_ < prompt_answers_needed || all_silent)
-    return t.patience + late;
-  return std::min(t.patience, std::max(least_patience, 3 * slowest_prompt_)) + late;
+  return (t.prompt ? reply_times_.patience_of_prompt(t.patience, station_count()) : t.patience) + late;
 }
 
 bool Link::outstanding_by_others(const Station& asking, ReplyKind reply_kind) const {
@@ -173,13 +171,6 @@ bool Link::outstanding_by_others(const Station& asking, ReplyKind reply_kind) co
          std::any_of(stations_.begin(), stations_.end(), [&](const Station* s) {
            return s != &asking && s->outstanding_.may_be_outstanding(reply_kind, now);
          });
-}
-
-void Link::learn_from_answer(const Transaction& t, std::size_t answer_bytes, Instant now) {
-  if (!t.prompt) return;
-  prompt_answers_ = std::min(prompt_answers_ + 1, prompt_answers_needed);
-  const Duration waited = now - sent_at_ - wire_time(t.bytes.size() + answer_bytes);
-  slowest_prompt_ = std::max(waited, slowest_prompt_ - slowest_prompt_ / 256);
 }
 
 void Link::finish(Result<std::string> result) {
@@ -217,19 +208,19 @@ void Link::on_deadline() {
   }
   if (in_flight_->transaction.may_be_silent && received_.empty())
     return finish(fail(FaultKind::no_answer, "The controller did not answer."));
-  link_log().debug("{}no answer to \"{}\" in {:.0f} ms; came: \"{}\"", OfDevice{in_flight_->station.address},
-                   log::Bytes{in_flight_->transaction.bytes}, 1e3 * seconds(scheduler_.now() - sent_at_),
-                   log::Bytes{received_});
+  link_log().debug("{}no reply to \"{}\" in {:.0f} ms; received: \"{}\"",
+                   OfDevice{in_flight_->station.address}, log::Bytes{in_flight_->transaction.bytes},
+                   1e3 * seconds(scheduler_.now() - sent_at_), log::Bytes{received_});
   StationStatistics& statistics = in_flight_->station.statistics_;
   ++statistics.timeouts;
   ++statistics.misses_in_a_row;
-  ++silent_in_a_row_;
+  reply_times_.missed();
   in_flight_->station.outstanding_.add(in_flight_->transaction.reply_kind, scheduler_.now());
   if (!received_.empty()) in_flight_->station.outstanding_.tear(scheduler_.now());
   if (!in_flight_->station.unmistakable) settle_until_ = scheduler_.now() + settle_time;
   Fault fault(FaultKind::no_answer, "The controller did not answer in time.");
   if (!received_.empty()) {
-    fault = Fault(FaultKind::garbled, "The controller's answer stopped in the middle.",
+    fault = Fault(FaultKind::garbled, "The controller's reply stopped in the middle.",
                   "The part received was not used.", "Check the cable.");
     give_up_on(std::exchange(received_, {}));
   }
@@ -258,12 +249,12 @@ void Link::bytes_arrived(std::string_view bytes) {
     bytes.remove_prefix(part.size());
     received_.append(part);
     take_received();
-    if (received_.size() > longest_unfinished) end_babble();
+    if (received_.size() > longest_unfinished) end_overlong_reply();
   }
 }
 
 /// No reply is that long: handled like one that never ended.
-void Link::end_babble() {
+void Link::end_overlong_reply() {
   if (in_flight_ && in_flight_->is_question()) return on_deadline();
   give_up_on(std::exchange(received_, {}));
 }
@@ -319,8 +310,7 @@ void Link::take_received() {
     received_.erase(0, *length);
     const Instant now = scheduler_.now();
     in_flight_->station.record(now, Way::received, traffic_kind(t), reply);
-    silent_in_a_row_ = 0;
-    learn_from_answer(t, reply.size(), now);
+    reply_times_.answered(t.prompt, now - sent_at_ - wire_time(t.bytes.size() + reply.size()));
     finish(std::move(reply));
   }
 }
@@ -369,7 +359,7 @@ void Link::give_up_on(std::string_view bytes) {
   if (stations_.empty()) return;
   Station& station = last_sender_ ? *last_sender_ : *stations_.front();
   station.statistics_.unparsed_bytes += bytes.size();
-  link_log().debug("{}bytes that mean nothing: \"{}\"", OfDevice{station.address}, log::Bytes{bytes});
+  link_log().debug("{}bytes not understood: \"{}\"", OfDevice{station.address}, log::Bytes{bytes});
   station.record(scheduler_.now(), Way::received, TrafficKind::unparsed, bytes);
 }
 

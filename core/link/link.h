@@ -11,8 +11,9 @@
 
 #include "core/base/asio.h"
 #include "core/link/framing.h"
-#include "core/link/last_will.h"
+#include "core/link/link_wills.h"
 #include "core/link/outstanding_replies.h"
+#include "core/link/reply_times.h"
 #include "core/link/stream.h"
 #include "core/link/traffic.h"
 #include "core/link/window.h"
@@ -78,9 +79,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   /// `keeper` carries out last wills; null: no watchdog runs. `emulated`: the controller ends with this
   /// program.
   void entrust_to(std::shared_ptr<WillKeeper> keeper, bool emulated) {
-    keeper_ = std::move(keeper);
-    emulated_here_ = emulated;
-    shared_ = share().how != WireShare::How::none;
+    wills_.entrust_to(std::move(keeper), emulated, share().how != WireShare::How::none);
   }
 
   /// Called when the wire has followed a controller to another rate.
@@ -90,10 +89,8 @@ class Link final : public std::enable_shared_from_this<Link>,
   friend class Station;
   struct Pending;
   static constexpr Duration settle_time = Millis(50);
-  static constexpr Duration least_patience = Millis(50);  ///< as adapters deliver bytes in pieces
-  static constexpr Duration longest_wait_of_a_stop =
-      Millis(200);                                  ///< wait for a reply, beyond its time on the wire
-  static constexpr int prompt_answers_needed = 16;  ///< prompt replies needed to know the wire
+  /// For a reply, beyond its time on the wire.
+  static constexpr Duration longest_wait_of_a_stop = Millis(200);
 
   // called by stations
   void join(Station& station);
@@ -101,16 +98,12 @@ class Link final : public std::enable_shared_from_this<Link>,
   void leave(Station& station, const Fault& why, Leaving leaving);
   Task<Result<std::string>> transact(Station& station, Transaction transaction);
   Task<Result<>> run(Station& station, std::span<BusCycle> cycles, Priority priority);
-  std::shared_ptr<WillKeeper::Will> leave_will(const LastWill& will);
-  [[nodiscard]] JogEnds jog_ends() const;
   [[nodiscard]] WireShare share() const;
-  [[nodiscard]] bool a_will_may_be_carried_out();
   void give_up_soon(Fault why);
   void drop_waiting(const Station& station, const Fault& why);
-  void hurry_for_a_stop();
+  void shorten_for_stop();
   [[nodiscard]] Duration patience_for(const Station& station, const Transaction& transaction) const;
   [[nodiscard]] bool outstanding_by_others(const Station& asking, ReplyKind reply_kind) const;
-  void learn_from_answer(const Transaction& transaction, std::size_t answer_bytes, Instant now);
 
   void bytes_arrived(std::string_view bytes) override;
   void stream_closed(const Fault& why) override;
@@ -130,7 +123,7 @@ class Link final : public std::enable_shared_from_this<Link>,
   std::size_t offer(std::string_view bytes, const Station*& took);
   void give_up_on(std::string_view bytes);
   void give_up_waiting();
-  void end_babble();
+  void end_overlong_reply();
 
   /// Bytes kept of an unfinished message. The longest reply, a listing, has some 4,000.
   static constexpr std::size_t longest_unfinished = 1 << 16;
@@ -146,15 +139,10 @@ class Link final : public std::enable_shared_from_this<Link>,
   std::string received_;
   Instant sent_at_{}, deadline_at_{};
   Instant latest_end_ = Instant::max();  ///< latest end of the transaction in flight, once a stop waits
-  /// Slowest recent delay of a prompt reply, beyond its time on the wire; decays slowly.
-  Duration slowest_prompt_{};
-  int prompt_answers_ = 0;
-  int silent_in_a_row_ = 0;              ///< questions in a row that no station answered
+  ReplyTimes reply_times_;
   Instant settle_until_{};               ///< after a miss: a late reply must not be taken for the next one
   OutstandingReplies left_outstanding_;  ///< replies outstanding to stations that have left
-  std::shared_ptr<WillKeeper> keeper_;
-  bool emulated_here_ = false, shared_ = false;
-  std::vector<std::weak_ptr<WillKeeper::Will>> wills_;
+  LinkWills wills_;
   Timer deadline_;
   Timer settled_;
   Timer unfinished_;

@@ -1,6 +1,4 @@
-// The end of a link for one of its stations and for all, and last wills for the end of this program.
-#include <algorithm>
-
+// The end of a link for one of its stations and for all.
 #include "core/link/link.h"
 #include "core/link/link_log.h"
 #include "core/link/pending.h"
@@ -48,38 +46,8 @@ void Link::interrupted(std::uint8_t vector) {
     if (stations_[i]->interrupted) stations_[i]->interrupted(vector);
 }
 
-// ---- last wills
-
 WireShare Link::share() const {
   return stream_ ? stream_->share() : window_ ? window_->share() : WireShare();
-}
-
-std::shared_ptr<WillKeeper::Will> Link::leave_will(const LastWill& will) {
-  const WireShare wire = share();
-  if (!keeper_ || wire.how == WireShare::How::none) {
-    link_log().debug("no watchdog guards the held jog: {}",
-                     keeper_ ? "this wire cannot be shared with it" : "there is none");
-    return nullptr;
-  }
-  auto left = keeper_->leave(scheduler_, wire, will);
-  link_log().debug(
-      "{}", left ? "the watchdog guards a held jog" : "the watchdog did not accept the last will of a jog");
-  if (left) wills_.push_back(left);
-  return left;
-}
-
-JogEnds Link::jog_ends() const {
-  if (emulated_here_) return JogEnds::with_program;
-  const bool reached = keeper_ && shared_ && keeper_->is_there();
-  return reached ? JogEnds::by_watchdog : JogEnds::never;
-}
-
-bool Link::a_will_may_be_carried_out() {
-  std::erase_if(wills_, [](const auto& will) { return will.expired(); });
-  return std::any_of(wills_.begin(), wills_.end(), [](const auto& will) {
-    const auto left = will.lock();
-    return left && left->may_be_carried_out();
-  });
 }
 
 // As if the peer had closed it: the next user opens the wire again.

@@ -51,7 +51,7 @@ void Station::preempt() {
   preempted_ = true;
   if (link_) {
     link_->drop_waiting(*this, stop_came_first());
-    link_->hurry_for_a_stop();
+    link_->shorten_for_stop();
   }
   ended_.notify();
   if (procedure_ended) procedure_ended();
@@ -85,7 +85,7 @@ void Station::doubt(ReplyKind reply_kind) {
   outstanding_.add(reply_kind, link_->scheduler_.now());
 }
 
-Task<Result<>> Station::come_clean(Priority priority) {
+Task<Result<>> Station::clean_line(Priority priority) {
   if (!link_) return not_run(no_connection());
   if (preempted_) return not_run(stop_came_first());
   if (!unmistakable || !is_dirty()) return nothing_to_do();
@@ -145,10 +145,10 @@ Task<Result<>> Station::clean_by(Unmistakable asked, Priority priority) {
   }
   if (!answer) co_return fail(answer.error());
   if (!asked.is_answer(*answer)) {  // not a miss: a device answered
-    link_log().debug("{}not the reply to the question: \"{}\"", OfDevice{address}, log::Bytes{*answer});
+    link_log().debug("{}not the reply to the query: \"{}\"", OfDevice{address}, log::Bytes{*answer});
     doubt(reply_kind);
-    co_return fail(FaultKind::garbled, "The controller's answer makes no sense.", "It was not used.",
-                   "Check the cable and the line rate. Check whether two devices have the same address, or "
+    co_return fail(FaultKind::garbled, "The controller's reply is not understood.", "The reply was not used.",
+                   "Check the cable and the baud rate. Check whether two devices have the same address, or "
                    "another program uses this line.");
   }
   outstanding_.clear();
@@ -171,7 +171,7 @@ Task<Result<>> Station::wait_for_silence() {
     count_miss();
     link_log().debug("{}the line has not been silent for {} ms within a second", OfDevice{address},
                      long_enough / Millis(1));
-    co_return fail(FaultKind::garbled, "The line is never silent.", "Nothing was asked.",
+    co_return fail(FaultKind::garbled, "The line is never silent.", "Nothing was sent.",
                    "Check the cable, the baud rate, and whether another program talks to the controller.");
   }
   co_return Result<>();
@@ -186,7 +186,7 @@ void Station::learn_lateness(Duration round_trip) {
   else if (lateness_ = (lateness_ + round_trip) / 2; lateness_ < usual)
     lateness_ = Duration::zero();
   if ((before == Duration::zero()) != (lateness_ == Duration::zero()))
-    link_log().debug("{}waits {} ms longer than usual for answers", OfDevice{address}, lateness_ / Millis(1));
+    link_log().debug("{}waits {} ms longer than usual for replies", OfDevice{address}, lateness_ / Millis(1));
 }
 
 Result<> Station::set_rate(int baud) {

@@ -41,7 +41,7 @@ class Station {
   // ---- one procedure at a time: see Pump
   /// Ends the procedure under way for a stop: its waiting transactions, its pauses and all later requests end
   /// at once with Fault{stopped}. The transaction in flight is received to its end, which comes soon
-  /// (Link::hurry_for_a_stop).
+  /// (Link::shorten_for_stop).
   void preempt();
   /// The preempted procedure has ended; the next one may use the wire.
   void begin_procedure() { preempted_ = false; }
@@ -72,7 +72,7 @@ class Station {
   [[nodiscard]] Instant received_at() const { return received_at_; }
   [[nodiscard]] bool has_received() const { return received_at_ > Instant{}; }
   /// The bytes just received were not from this device: takes back received_at().
-  void disown_received() { received_at_ = answered_at_; }
+  void discount_received() { received_at_ = answered_at_; }
   /// Called when a stop, or the loss of the wire, ends the procedure under way, so that other waits can be
   /// checked.
   std::function<void()> procedure_ended;
@@ -108,7 +108,7 @@ class Station {
   void has_caught_up() { outstanding_.clear(); }
   /// Cleans the line now, if it is dirty, by the unmistakable question: to be called before a text that must
   /// not be sent twice or lost.
-  Task<Result<>> come_clean(Priority priority);
+  Task<Result<>> clean_line(Priority priority);
   [[nodiscard]] const OutstandingReplies& outstanding() const { return outstanding_; }
   /// How this device answers, for the station that replaces this one on the same wire.
   struct ReplyState {
@@ -135,9 +135,9 @@ class Station {
   [[nodiscard]] bool reports_interrupts() const { return link_ && link_->reports_interrupts(); }
   /// Leaves a last will with the watchdog; null: no watchdog runs.
   [[nodiscard]] std::shared_ptr<WillKeeper::Will> leave_will(const LastWill& will) {
-    return link_ ? link_->leave_will(will) : nullptr;
+    return link_ ? link_->wills_.leave(link_->scheduler_, link_->share(), will) : nullptr;
   }
-  [[nodiscard]] JogEnds jog_ends() const { return link_ ? link_->jog_ends() : JogEnds::never; }
+  [[nodiscard]] JogEnds jog_ends() const { return link_ ? link_->wills_.jog_ends() : JogEnds::never; }
   /// Sets the rate for all stations of the wire.
   Result<> set_rate(int baud);
   /// Time that `bytes` characters take on this wire (0 when it has no rate).

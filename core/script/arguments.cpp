@@ -90,10 +90,9 @@ class ArgumentReader {
     }
     if (argument->kind == Kind::flag)
       return equals == word.npos ? put(*argument, "")
-                                 : wrong_words(fmt::format("\"--{}\" stands alone, without a value.", name));
+                                 : wrong_words(fmt::format("\"--{}\" takes no value.", name));
     if (equals != word.npos) return put(*argument, word.substr(equals + 1));
-    if (at_ + 1 == words_.size())
-      return wrong_words(fmt::format("A value is missing behind \"--{}\".", name));
+    if (at_ + 1 == words_.size()) return wrong_words(fmt::format("A value is missing after \"--{}\".", name));
     return put(*argument, words_[++at_]);
   }
 
@@ -126,7 +125,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-std::string how_given(const Argument& one) {
+std::string argument_form(const Argument& one) {
   if (one.required) return upper(one.name);
   if (one.kind == Kind::flag) return "--" + one.name;
   if (!one.choices.empty()) return fmt::format("--{} {}", one.name, fmt::join(one.choices, "|"));
@@ -159,14 +158,14 @@ std::string arguments_help(const std::vector<Argument>& known, const std::string
   std::string all = fmt::format("handwheel run {}", script);
   std::size_t widest = 0;
   for (const Argument& one : known) {
-    if (one.required) all += " " + how_given(one);
-    widest = std::max(widest, how_given(one).size());
+    if (one.required) all += " " + argument_form(one);
+    widest = std::max(widest, argument_form(one).size());
   }
   if (options) all += " [-- OPTIONS]";
   all += "\n";
   if (!about.empty()) all += about + "\n";
   for (const Argument& one : known) {
-    all += fmt::format("  {:<{}}  {}", how_given(one), widest, one.help);
+    all += fmt::format("  {:<{}}  {}", argument_form(one), widest, one.help);
     if (!one.fallback.empty())
       all += fmt::format("{}(default {})", one.help.empty() ? "" : " ", one.fallback);
     all += "\n";

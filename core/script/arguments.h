@@ -1,6 +1,6 @@
 #pragma once
 // A script's command-line arguments: parsing and help. Pure.
-//   PLACE          by its place, where there is no default
+//   PLACE          required: by its place, as it has no default
 //   --name VALUE   or --name=VALUE, or name=VALUE; a flag stands alone
 #include <map>
 #include <string>
@@ -30,7 +30,7 @@ Result<Argument::Kind> argument_kind(const std::string& word);
 /// A fault names the wrong word and what was expected.
 Result<GivenArguments> read_arguments(const std::vector<Argument>& known,
                                       const std::vector<std::string>& words);
-/// The usage line and a line for each argument. `script`: as typed; `about`: its purpose, or empty.
+/// The usage line and a line for each argument. `script`: as typed; `about`: the script's purpose, or empty.
 std::string arguments_help(const std::vector<Argument>& known, const std::string& script,
                            const std::string& about);
 

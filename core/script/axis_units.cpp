@@ -65,9 +65,8 @@ Steps Counting::steps(const Call& call, int place, const OneAxis& one, const cha
     throw Misuse(fmt::format("{}: {} must be a whole number of steps, not {}{}", call.function(), what,
                              value_at(call.L, place), hint_of(call.L, place)));
   }
-  constexpr double most = 9007199254740992;  // 2^53: beyond it two steps are one number
   const double steps = lua_tonumber(call.L, place) * steps_per_unit(call, one);
-  if (lua_type(call.L, place) != LUA_TNUMBER || !(std::abs(steps) <= most))
+  if (lua_type(call.L, place) != LUA_TNUMBER || !(std::abs(steps) <= countable))
     throw Misuse(fmt::format("{}: {} must be a number of units, not {}", call.function(), what,
                              value_at(call.L, place)));
   return Steps(std::llround(steps));

@@ -14,7 +14,7 @@ std::span<const Function> motion_methods(), text_methods(), status_methods(), se
     program_methods(), trust_methods(), place_methods(), upkeep_methods(), watch_methods(),
     unit_methods();             ///< methods of controllers, by subject
 void bind_bench(lua_State* L);  ///< methods of its `bench`
-void bind_tasks(lua_State* L);  ///< `hw.spawn` and waiting; call after bind_hw
+void bind_tasks(lua_State* L);  ///< `hw.spawn` and waiting; call it after bind_hw
 std::span<const Function> file_functions(), argument_functions();  ///< of `hw`
 void bind_watches(lua_State* L);                                   ///< the basis of c:on and c:wait_until
 

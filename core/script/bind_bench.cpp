@@ -160,7 +160,7 @@ void refuse_unknown_keys(lua_State* L, int table) {
     const std::string_view key = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "(no text)";
     if (std::find(std::begin(known), std::end(known), key) == std::end(known))
       throw Misuse(
-          fmt::format("bench:place: a place has no \"{}\"; known are minus, plus, home, index_every, "
+          fmt::format("bench:place: a place has no \"{}\"; known keys: minus, plus, home, index_every, "
                       "counts_per_step, backlash, scatter, seed, motor",
                       key));
   }

@@ -42,7 +42,7 @@ Task<Answer> sleep_for(Runner& runner, Duration time) {
 }
 
 int sleep(Call& call) {
-  static_cast<void>(call.number(1, "seconds"));  // nil is a slip, not a pause of 0 s
+  static_cast<void>(call.number(1, "seconds"));  // nil is an error in the script, not a pause of 0 s
   return call.wait(sleep_for(call.runner(), call.patience(1, 0)));
 }
 

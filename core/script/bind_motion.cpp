@@ -29,7 +29,7 @@ struct ById {  // the same order in every run
 };
 using Targets = std::map<SessionPtr, std::vector<AxisTarget>, ById>;
 
-/// As a table of targets is written: X, [1]; on a bus ["01"].
+/// The key as scripts write it in a table of targets: X, [1]; on a bus ["01"].
 std::string key_of_first_axis(const Call& call) {
   const auto bus = bus_of(call);
   if (bus) return fmt::format("[\"{}\"]", bus->members().front()->catalog().id());
@@ -145,7 +145,7 @@ int homing_mode(const std::vector<HomingMode>& modes, const std::string& wanted)
 std::string no_such_homing(const std::vector<HomingMode>& modes, const std::string& wanted) {
   std::vector<std::string> ids;
   for (const HomingMode& m : modes) ids.push_back(m.id);
-  return fmt::format("There is no homing mode \"{}\". There is {}.{}", wanted, fmt::join(ids, ", "),
+  return fmt::format("There is no homing mode \"{}\". The modes are {}.{}", wanted, fmt::join(ids, ", "),
                      did_you_mean(wanted, ids));
 }
 
@@ -189,21 +189,23 @@ int stop(Call& call) {
   return perform(call, How(-1));
 }
 
-/// A wait has no other fault of this kind: what does not answer is lost.
+/// In a wait, a fault of this kind is always a timeout: a controller that does not answer is reported as
+/// lost.
 Refusal of_wait(Refusal refusal) {
   return refusal.kind == FaultKind::no_answer ? too_late(std::move(refusal)) : refusal;
 }
 
 /// Advice after a motion that ended before its target; `axis` -1: several axes.
-std::string_view what_to_do_about(const Session& session, FaultKind kind, int axis) {
+std::string_view advice_on_end(const Session& session, FaultKind kind, int axis) {
   if (kind == FaultKind::lost) return "Repair the cable or the power: the console reconnects by itself.";
   if (axis < 0) return {};
   switch (session.known().axes[ix(axis)].ended_by) {
-    case EndedBy::limit: return "Move it the other way, off the switch.";
+    case EndedBy::limit: return "Move the axis the other way, off the switch.";
     case EndedBy::error: return "Call clear_errors(), then give the command again.";
-    case EndedBy::elsewhere: return "Find out which program or button stops it, then give the command again.";
-    case EndedBy::lost: return "Check where it stands and home it, then give the command again.";
-    case EndedBy::not_in_place: return "Find out why it does not move, then give the command again.";
+    case EndedBy::elsewhere:
+      return "Find out which program or button stops the axis, then give the command again.";
+    case EndedBy::lost: return "Check where the axis is and home it, then give the command again.";
+    case EndedBy::not_in_place: return "Find out why the axis does not move, then give the command again.";
     default: return {};
   }
 }
@@ -215,7 +217,7 @@ Task<Answer> wait_idle(SessionPtr session, Duration patience, bool on_bus) {
   const int index = ended ? axis_not_finished(session->known(), session->catalog()) : -1;
   std::string axis = index >= 0 ? name_of_axis(*session, id_of(index)) : std::string();
   Refusal refusal = refusal_of(idle.error(), *session, std::move(axis), on_bus);
-  if (refusal.what_to_do.empty()) refusal.what_to_do = what_to_do_about(*session, idle.error().kind, index);
+  if (refusal.what_to_do.empty()) refusal.what_to_do = advice_on_end(*session, idle.error().kind, index);
   co_return answer_refused(of_wait(std::move(refusal)));
 }
 Task<Answer> wait_bus_idle(std::shared_ptr<SessionGroup> bus, Duration patience) {

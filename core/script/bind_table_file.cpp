@@ -61,7 +61,7 @@ int write_csv(Call& call) {
   if (!lua_istable(call.L, rows))
     throw Misuse("hw.write_csv: argument 2 must be a list of rows like {{1, 2}}");
   const std::size_t count = lua_rawlen(call.L, rows);
-  if (count > most_rows) throw Misuse("hw.write_csv: these are too many rows");
+  if (count > most_rows) throw Misuse("hw.write_csv: too many rows");
   std::string text;
   for (std::size_t row = 1; row <= count; ++row) {
     lua_rawgeti(call.L, rows, static_cast<lua_Integer>(row));

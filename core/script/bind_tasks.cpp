@@ -55,7 +55,7 @@ int wait_any(Call& call) {
         fmt::format("hw.wait_any: argument 1 must be a list of 1 to {} tasks and functions", most_at_once));
   const Duration patience = call.patience(2, 1e6);
   if (!lua_checkstack(L, static_cast<int>(count) + 8))
-    throw Misuse("hw.wait_any: there are too many of them");
+    throw Misuse("hw.wait_any: too many tasks and functions");
   const int first = lua_gettop(L) + 1;
   for (std::size_t i = 1; i <= count; ++i) {
     lua_rawgeti(L, table, static_cast<lua_Integer>(i));
@@ -77,8 +77,8 @@ int wait_any(Call& call) {
       awaited.push_back({task_at(L, place), false});
     }
   }
-  return call.wait(
-      wait_for_first(call.runner(), std::move(awaited), true, patience, "Timeout: none of them has ended."));
+  return call.wait(wait_for_first(call.runner(), std::move(awaited), true, patience,
+                                  "Timeout: none of the tasks has ended."));
 }
 
 int task_wait(Call& call) {

@@ -25,8 +25,9 @@ int send(Call& call) {
   const auto bus = bus_of(call);
   const SessionPtr& session = bus ? connected_member(*bus) : session_of(call);
   if (bus && !session->catalog().can.broadcast)
-    return call.refuse(fmt::format("Send it to each device: {} has no message to all devices of a wire.",
-                                   session->catalog().short_name));
+    return call.refuse(
+        fmt::format("Send the text to each device: {} has no command for all devices on a wire.",
+                    session->catalog().short_name));
   if (is_lost(session))
     return call.refuse(fmt::format("There is no connection. {}", session->known().link.sentence.view()));
   session->send_text(call.text(1, "text"), bus != nullptr);

@@ -17,7 +17,7 @@ int push_unit(lua_State* L, const std::string& name, double steps_per_unit) {
   return 1;
 }
 
-/// The script's unit, else the console's; without either, steps.
+/// The script's unit, else the console's, else steps.
 int units(Call& call) {
   const OneAxis one = one_axis(call, 1, "units");
   if (one.index < 0) return call.refuse(one.refusal);

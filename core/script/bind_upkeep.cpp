@@ -20,7 +20,7 @@ Task<Answer> clear_all(SessionPtr session) {
   if (const int action = clearing_action(catalog); action >= 0) {
     std::vector<std::int64_t> values;
     for (const ActionField& field : catalog.actions[static_cast<std::size_t>(action)].fields)
-      values.push_back(field.fallback);  // of an axis: all of them
+      values.push_back(field.fallback);  // a field for an axis: all axes
     IntentBody clear = intent::Act(action, std::move(values));
     const auto cleared = co_await session->perform(std::move(clear));
     if (!cleared) co_return answer_of(cleared);
@@ -41,7 +41,7 @@ int clear_errors(Call& call) { return call.wait(clear_all(session_of(call))); }
 int store(Call& call) {
   const SessionPtr& session = session_of(call);
   if (!session->catalog().can.store)
-    return call.refuse(fmt::format("{} has nothing to store by command.", session->catalog().short_name));
+    return call.refuse(fmt::format("{} has no command to store its set-up.", session->catalog().short_name));
   return perform(call, intent::Store());
 }
 
@@ -64,7 +64,7 @@ int backup(Call& call) {
   return call.wait(back_up(call.runner(), session_of(call), std::move(*path)));
 }
 
-/// Writes parameters that carry a warning too, like c:set: a script confirms by calling.
+/// Also writes parameters that carry a warning, as c:set does: a script confirms by calling.
 Task<Answer> bring_back(SessionPtr session, Backup kept, std::string path) {
   const auto report = co_await restore_backup(session, std::move(kept), std::move(path), Warned::write);
   if (!report) co_return answer_refused(report.error());

@@ -32,7 +32,7 @@ return react, hold
 
 enum class About : std::uint8_t { limit, input, stopped, lost, anything };
 
-/// Outside events that show only in a status round.
+/// Events outside of the console, which only a status round shows.
 bool is_urgent(About about) { return about == About::limit || about == About::input; }
 
 /// The state compared between two looks.
@@ -54,7 +54,7 @@ Seen look_at(const Snapshot& now) {
   return seen;
 }
 
-/// As scripts name it: 1, "X".
+/// The axis as scripts name it: 1, "X".
 void push_axis_name(lua_State* L, const std::string& name) {
   if (const auto number = whole_number<lua_Integer>(name))
     lua_pushinteger(L, *number);
@@ -92,7 +92,7 @@ class Watch {
   [[nodiscard]] std::size_t size() const { return watched_.size(); }
   [[nodiscard]] const SessionPtr& session(std::size_t which) const { return watched_[which].source.session; }
   [[nodiscard]] About about() const { return about_; }
-  /// Looks at one of the sessions. True: there is news.
+  /// Compares one session with its last look. True: there is news.
   bool look(std::size_t which);
   std::deque<Answer> news;
   Instant returned_at{};  ///< when its loop last got news, or none
@@ -167,7 +167,7 @@ constexpr Duration look_again = Millis(10);
 
 constexpr Duration from_look_to_look = std::chrono::seconds(1);
 
-/// A round of status is long on a slow wire.
+/// Queries the inputs alone, as a status round takes long on a slow wire.
 void watch_inputs_closely(Session& session) {
   session.pump().watch_inputs(session.now() + from_look_to_look);
 }

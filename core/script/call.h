@@ -20,15 +20,15 @@ struct Refusal {
   std::string reason;  ///< a sentence
   FaultKind kind = FaultKind::refused;
   std::string axis = {}, device = {}, what_to_do = {};
-  bool too_late = false;  ///< what was waited for did not come in time; its kind is then "timeout"
+  bool too_late = false;  ///< a wait timed out; its kind is then "timeout"
 };
-/// The same of a wait that was too long.
+/// The same refusal, of a wait that timed out.
 Refusal too_late(Refusal refusal);
 Refusal refusal_of(const Fault& fault);
 /// Pushes nil, reason, table. A method called on one controller adds the device itself.
 int push_refusal(lua_State* L, Refusal refusal);
-/// A call that was refused before has `results` on the stack: if it went well, the advice forgets the
-/// refusal.
+/// A call whose last attempt was refused has `results` on the stack. If this attempt succeeded, the advice
+/// forgets the refusal.
 void forget_mended_refusal(lua_State* L, int results);
 
 /// A wrong call by the script: an error at its line.
@@ -45,7 +45,7 @@ class Call {
   lua_State* const L;
   [[nodiscard]] Runner& runner() const { return Runner::of(L); }
   [[nodiscard]] const char* function() const { return function_; }  ///< its name, for messages
-  [[nodiscard]] const char* type_of(int argument) const;            ///< "nil" for an absent one too
+  [[nodiscard]] const char* type_of(int argument) const;            ///< "nil" for an absent argument too
   [[nodiscard]] std::string given(int argument) const;              ///< a number as it is, else its type
   [[nodiscard]] int place(int argument) const { return argument + self_; }  ///< index on the stack
   [[nodiscard]] bool has(int argument) const { return !lua_isnoneornil(L, place(argument)); }

@@ -62,7 +62,7 @@ bool is_on_bus(const Call& call) { return handle_of(call).group->is_bus(); }
 const std::shared_ptr<Session>& session_of(const Call& call) {
   const Handle& handle = handle_of(call);
   if (handle.device >= 0) return handle.group->members()[static_cast<std::size_t>(handle.device)];
-  throw Misuse(fmt::format("this is a bus of several controllers: say which one, c.devices[\"{}\"]",
+  throw Misuse(fmt::format("this is a bus of several controllers: name the device, c.devices[\"{}\"]",
                            handle.group->members().front()->catalog().id()));
 }
 

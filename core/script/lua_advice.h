@@ -1,5 +1,6 @@
 #pragma once
-// Lua's own messages about nil, completed: which name was meant, and why a call returned nil.
+// Completes Lua's own messages about nil: names the function that was probably meant, and says why a call
+// returned nil.
 #include <string>
 #include <string_view>
 #include <vector>

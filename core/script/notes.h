@@ -8,7 +8,7 @@
 
 namespace hw::script {
 
-/// The files that it has written, each once.
+/// The files that the script has written, each once.
 class Written {
  public:
   /// `what`: "12 rows"; empty: no detail.

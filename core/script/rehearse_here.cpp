@@ -109,7 +109,7 @@ Result<Rehearsal> rehearse_now(Session& session, const std::string& text, int sl
   return session.type().language().rehearse(text, options);
 }
 
-/// Those that the program reads before it sets them; whether there are any.
+/// Reads the variables that the program uses before it sets them. False: there are none.
 Task<bool> reads_variables(SessionPtr session, const Rehearsal& rehearsal) {
   const VariableFacts& facts = session->catalog().variables;
   bool any = false;

@@ -34,7 +34,7 @@ struct Runner::Fiber {
   lua_State* L = nullptr;
   int kept = LUA_NOREF;  ///< in the registry, so that it is not collected
   bool waits = false;
-  bool cancelled = false;  ///< ends when what it waits for has ended
+  bool cancelled = false;  ///< ends when its present wait has ended
   int arguments = 0;       ///< of its function, when it starts
   std::shared_ptr<Spawned> spawned;
   Answer answer;

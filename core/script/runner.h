@@ -37,7 +37,7 @@ struct RunOptions {
   Limits limits;
   /// Results. A fault ends the script, as its results are no longer read.
   std::function<Result<>(std::string_view)> print;
-  std::function<void(std::string_view)> log;  ///< hw.log and what controllers report
+  std::function<void(std::string_view)> log;  ///< hw.log, and the controllers' notices
   Stage* stage = nullptr;                     ///< a screen: `ui`, frames
   AxisUnits::Kept kept_unit;                  ///< units of the console; null: none kept
 };
@@ -65,11 +65,11 @@ class Runner {
   std::function<void()> on_real_time;
 
   // ---- any thread, while run() is under way
-  /// Ends the run now, whatever the script does; all controllers are sent a stop.
+  /// Ends the run now, whatever the script does, and sends a stop to all controllers.
   void interrupt();
   /// The same with another reason, a sentence.
   void give_up(std::string why);
-  /// Whether the script computes. If so, heartbeat() changes at least every 10,000 instructions.
+  /// Whether the script computes. While it does, heartbeat() changes at least every 10,000 instructions.
   [[nodiscard]] bool at_work() const { return at_work_; }
   [[nodiscard]] std::uint64_t heartbeat() const { return heartbeat_; }
   /// Longest time for computing.
@@ -93,7 +93,7 @@ class Runner {
   /// The same at once, with `arguments` that lie above the function. Leaves the coroutine in their place;
   /// keep it to get the results.
   std::shared_ptr<Spawned> spawn(lua_State* L, int arguments);
-  /// Never resumes it again. False: it is the function that runs now, the caller.
+  /// Never resumes the function again. False: it is the caller itself, which runs now.
   bool cancel(const Spawned& one);
   /// Notified when a spawned function ends, by bindings, and at the end of the script.
   [[nodiscard]] Event& happened() { return happened_; }
@@ -116,7 +116,7 @@ class Runner {
   /// Suspends the code on `L` like wait_for(). `act` runs between two turns of the run, so that it may run
   /// frames itself.
   void act_between_turns(lua_State* L, std::function<Answer()> act);
-  /// For such an act: runs everything up to the next frame and draws it.
+  /// For such an act: runs all work up to the next frame, and draws that frame.
   void run_one_frame();
   [[nodiscard]] bool over() const { return main_over_; }
 

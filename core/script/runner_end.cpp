@@ -13,7 +13,7 @@ constexpr Duration for_the_end = std::chrono::seconds(10);
 struct Runner::Left {
   std::shared_ptr<Session> session;
   IntentId stop = 0;    ///< 0: none, or its outcome is known
-  std::string trouble;  ///< why it may be still running
+  std::string trouble;  ///< why it may still be running
   bool closed = false;
 };
 
@@ -33,7 +33,8 @@ struct Runner::Leaving {
   void stop() {
     for (Left& one : all)
       if (one.closed)
-        one.trouble = "It was already closed: motions and programs that the script left running continue.";
+        one.trouble =
+            "The controller was already closed: motions and programs that the script left running continue.";
       else if (!one.session->pump().stops_all())
         one.stop = one.session->post(intent::Stop(-1, StoppedBy::script));
   }
@@ -111,7 +112,7 @@ void Runner::report_stops(const Leaving& leaving) {
   std::string troubles;
   for (const Left& one : leaving.all) {
     std::string_view trouble = one.trouble;
-    if (one.stop != 0) trouble = "Watch it: stop was sent, and it has not come to rest yet.";
+    if (one.stop != 0) trouble = "Watch the controller: stop was sent, and it has not come to rest yet.";
     if (!trouble.empty()) troubles += fmt::format("\n{}: {}", one.session->address().text(), trouble);
   }
   if (!troubles.empty())

@@ -57,7 +57,7 @@ Result<std::string> file_of_script(const std::string& folder, const std::string&
     return fail(FaultKind::port, fmt::format("The folder of \"{}\" does not exist.", name),
                 "Nothing was read or written.", "Make it first.");
   if ((inside != root && !is_below(root, inside)) || is_a_link(path))
-    return fail(FaultKind::port, fmt::format("\"{}\" leads out of the script's folder.", name),
+    return fail(FaultKind::port, fmt::format("\"{}\" is outside of the script's folder.", name),
                 "Nothing was read or written.");
   return path;
 }

@@ -1,7 +1,7 @@
 #pragma once
-// Leaves a call of Lua's library that does not return, such as a pattern that backtracks for ever: a signal
-// to its thread, whose handler jumps to where the script was resumed. Closed while C++ runs or memory is
-// allocated. Never touch the Lua state after the jump.
+// Leaves a call of Lua's library that does not return, such as a pattern that backtracks for ever. A signal
+// is sent to the thread; its handler jumps to the place where the script was resumed. Closed while C++ runs
+// or memory is allocated. Never touch the Lua state after the jump.
 #include <atomic>
 #include <csetjmp>
 #include <csignal>

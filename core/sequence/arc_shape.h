@@ -24,8 +24,8 @@ struct ContourEnd {
 };
 /// None: no step has a length.
 std::optional<ContourEnd> end_of(const Contour& contour);
-/// Distance from that end to where it comes to rest. `held`: speeds set by earlier Speed steps. None: the
-/// ramp is unknown.
+/// Distance from that end to the place where the axes come to rest. `held`: speeds set by earlier Speed
+/// steps. None: the ramp is unknown.
 std::optional<double> runs_on_by(const Contour& contour, const Speeds& held);
 
 }  // namespace hw::sequence

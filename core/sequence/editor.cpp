@@ -41,15 +41,6 @@ int depth_of(const StepList& steps) {
   return deepest + 1;
 }
 
-void collect(const StepList& steps, StepPath& path, std::vector<StepRow>& rows) {
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    path.push_back(i);
-    rows.push_back({path, &steps[i]});
-    if (const StepList* inner = steps_in(steps[i])) collect(*inner, path, rows);
-    path.pop_back();
-  }
-}
-
 }  // namespace
 
 StepSpan span_between(const StepPath& one, const StepPath& other) {
@@ -103,13 +94,6 @@ bool Editor::keep(Sequence changed, const StepPath* typed_at) {
   now_ = std::make_shared<const Sequence>(std::move(changed));
   ++version_;
   return true;
-}
-
-std::vector<StepRow> Editor::rows() const {
-  std::vector<StepRow> rows;
-  StepPath path;
-  collect(now_->steps, path, rows);
-  return rows;
 }
 
 const Step* Editor::at(const StepPath& path) const {

@@ -25,12 +25,6 @@ struct StepSpan {
 /// where they are nested deeper.
 StepSpan span_between(const StepPath& one, const StepPath& other);
 
-/// A step as a row of the whole list, nested steps included.
-struct StepRow {
-  StepPath path;
-  const Step* step = nullptr;
-};
-
 class Editor {
  public:
   Editor() : now_(std::make_shared<const Sequence>()) {}
@@ -46,8 +40,6 @@ class Editor {
   [[nodiscard]] std::uint64_t version() const { return version_; }
   /// Grows with each load() and exchange(): paths kept from before are then invalid.
   [[nodiscard]] std::uint64_t loads() const { return loads_; }
-  /// In the order of the list; valid until the next change.
-  [[nodiscard]] std::vector<StepRow> rows() const;
   /// Null: no step there.
   [[nodiscard]] const Step* at(const StepPath& path) const;
 
@@ -55,9 +47,9 @@ class Editor {
   // there is no such place, or if loops would nest deeper than deepest_loop.
   std::optional<StepPath> insert(const StepPath& at, Step step);
   std::optional<StepPath> remove(const StepSpan& which);  ///< path of the next step, or of the last
-  /// Before the step that is at `to` before the move; never into themselves.
+  /// Moves steps to the place before the step that is at `to` now; never into themselves.
   std::optional<StepPath> move(const StepSpan& from, const StepPath& to);
-  std::optional<StepPath> duplicate(const StepSpan& which);  ///< behind them
+  std::optional<StepPath> duplicate(const StepSpan& which);  ///< the copies follow the steps
   /// Replaces the steps by a loop that contains them.
   std::optional<StepPath> put_into_loop(const StepSpan& which);
   /// Replaces a loop by its steps.

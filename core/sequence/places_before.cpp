@@ -12,7 +12,7 @@ namespace {
 
 using AxisBits = std::array<bool, max_axes>;
 
-constexpr int most_in_loops = 200'000;  // steps that are gone through
+constexpr int most_in_loops = 200'000;  // steps; more are not walked through
 
 bool same(double a, double b) { return std::fabs(a - b) <= 1e-9 * (1 + std::fabs(a) + std::fabs(b)); }
 bool same(const std::optional<double>& a, const std::optional<double>& b) {
@@ -92,7 +92,7 @@ class Walk {
     forget(home.axis);
     if (home.axis >= 0 && home.axis < max_axes && until_homed_[ix(home.axis)]) unasked_[ix(home.axis)] = true;
   }
-  /// The input may never trigger the homing: the present count may still hold afterwards.
+  /// The input may never start the homing, so the present count may still hold afterwards.
   void take(const MoveOnInput& move) {
     if (move.kind == MoveOnInput::Kind::move) comes(move.axis, move.to);
     forget(move.axis);
@@ -109,7 +109,7 @@ class Walk {
     over(c.steps);
     if (c.ends_ramped) run_on(c);
   }
-  /// Goes on in the last direction; with an unknown ramp, about as far as its lead-in.
+  /// Continues in the last direction; with an unknown ramp, about as far as its lead-in.
   void run_on(const Contour& c) {
     const auto [right, up] = c.plane;
     const auto end = end_of(c);

@@ -10,7 +10,8 @@ namespace hw::sequence {
 /// None: unknown, as no step has sent the axis to a place, or each pass of a loop begins elsewhere.
 Places places_before(const Sequence& sequence, const StepPath& step);
 
-/// The least and greatest place of each axis, with the bulges of arcs and all passes of loops; none: unknown.
+/// The lowest and highest position of each axis, with the bulges of arcs and all passes of loops; none:
+/// unknown.
 struct Reach {
   Places least, greatest;
   /// Directions in which an endless loop goes further with each pass.
@@ -18,7 +19,7 @@ struct Reach {
 };
 /// One Reach for each stretch of the list between neighbouring `bounds` (indexes). `begin`: positions before
 /// the first step. `until_homed`: for these axes only places before their first unconditional homing count,
-/// as only those are by the present count.
+/// as only these refer to the present count.
 std::vector<Reach> reaches_between(const Sequence& sequence, const std::vector<std::size_t>& bounds,
                                    const Places& begin = {},
                                    const std::array<bool, max_axes>& until_homed = {});

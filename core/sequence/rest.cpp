@@ -23,12 +23,12 @@ struct Standing {
   struct Axis {
     bool moved = false, by_routine = false;
     std::optional<double> at;  ///< none: not known
-    int lost_by = -1;          ///< index of the step that made it unknown
+    int lost_by = -1;          ///< index of the step after which it is unknown
   };
   std::array<Axis, max_axes> axes;
   Speeds speeds;
-  StepList settings;             ///< custom text that sets some, and the speeds around it, in their order
-  OwnSpeeds of_travel;           ///< of the latest motion with the tool up
+  StepList settings;    ///< custom text that changes settings, and the speeds around it, in their order
+  OwnSpeeds of_travel;  ///< of the latest motion with the tool up
   std::vector<Output> outputs;   ///< in switching order
   std::size_t with_tool_up = 0;  ///< number switched before the tool was lowered
   std::map<int, bool> power;     ///< of motors, by axis
@@ -105,10 +105,9 @@ class Pass {
     if (!c.ends_ramped) return;
     const auto end = end_of(c);
     const auto by = rehearsed_ == Rehearsed::yes ? runs_on_by(c, standing.speeds) : std::nullopt;
-    const bool known = end && by;
-    const double way = by.value_or(0);
-    set(c.plane.right, known ? std::optional(end->x + end->dx * way) : std::nullopt);
-    set(c.plane.up, known ? std::optional(end->y + end->dy * way) : std::nullopt);
+    std::optional<double> x, y;
+    if (end && by) x = end->x + end->dx * *by, y = end->y + end->dy * *by;
+    set(c.plane.right, x), set(c.plane.up, y);
   }
   void take(const SpeedStairs& s) { set(s.axis, s.stop_at); }
   void take(const Jog& j) { lose(j.axis); }
@@ -119,7 +118,7 @@ class Pass {
       if ((s.axis < 0 || s.axis == a) && axis(a).moved) lose(a);
   }
   void take(const Output& o) {
-    if (in_routine_) return;  // of the tool's routine: switched with it
+    if (in_routine_) return;  // an output of the tool's routine is switched with the tool
     auto& all = standing.outputs;
     const auto again = [&o](const Output& before) { return o.output < 0 || before.output == o.output; };
     const auto first = all.begin(), lowered = first + static_cast<std::ptrdiff_t>(standing.with_tool_up);
@@ -193,7 +192,7 @@ void collect_outputs(const StepList& steps, std::set<int>& found) {
   }
 }
 
-/// Writes the leading steps: outputs off, motors on, tool up, moves; only there is the wanted state restored.
+/// Writes the leading steps: outputs off, motors on, tool up, moves; the wanted state is restored only there.
 class Leading {
  public:
   Leading(const Sequence& whole, const Standing& wanted, Sequence& into)
@@ -211,7 +210,7 @@ class Leading {
     const std::size_t all = wanted_.outputs.size(), first = wanted_.tool_down ? wanted_.with_tool_up : all;
     switch_outputs_on(0, first);
     if (wanted_.tool_down) add(Pen{true});
-    set_what_the_tool_moves();
+    set_tool_axes();
     switch_outputs_on(first, all);
     for (const auto& [axis, on] : wanted_.power)
       if (!on) add(Enable{axis, false});
@@ -232,7 +231,8 @@ class Leading {
     for (const int output : off)
       if (!goes_off_with_the_tool(output)) add(Output{output, false, 0});
   }
-  /// Outputs switched on since the tool was lowered are switched on after lowering, not above the place.
+  /// Switches on the outputs that were switched on while the tool was down: after lowering it, not above the
+  /// place.
   void switch_outputs_on(std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
       const Output& output = wanted_.outputs[i];
@@ -263,7 +263,7 @@ class Leading {
     add(WaitMotion{});
   }
   /// Axes of the tool's routines that other steps have moved too.
-  void set_what_the_tool_moves() {
+  void set_tool_axes() {
     Pass so_far(whole_);
     so_far.list(into_.steps);
     Move move;
@@ -282,7 +282,7 @@ class Leading {
 };
 
 tl::unexpected<Fault> cannot(std::string what, std::string advice) {
-  return fail(FaultKind::refused, std::move(what), "Nothing was begun.", std::move(advice));
+  return fail(FaultKind::refused, std::move(what), "Nothing was started.", std::move(advice));
 }
 
 /// Why the tool cannot be lifted from an unknown height; empty: it can.
@@ -300,13 +300,13 @@ std::string_view why_no_lift(const Sequence& sequence) {
 Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places& begin, Rehearsed rehearsed,
                        const OnlySets& only_sets) {
   if (const std::string_view why = why_no_lift(sequence); !why.empty())
-    return cannot(std::string(why), "Move it to a place, up and down.");
+    return cannot(std::string(why), "Move the tool to a place, up and down.");
   Pass before(sequence, begin, rehearsed);
   for (std::size_t i = 0; i < step; ++i) {
     const Step& passed = sequence.steps[i];
     const auto* loop = std::get_if<Repeat>(&passed.body);
     if (loop && loop->times == 0 && !passed.skipped)
-      return cannot(fmt::format("Step {} repeats for ever: step {} is never reached.", i + 1, step + 1), "");
+      return cannot(fmt::format("Step {} repeats forever: step {} is never reached.", i + 1, step + 1), "");
     const auto* own = std::get_if<Custom>(&passed.body);
     if (own && !passed.skipped && only_sets && only_sets(*own)) {
       before.keep(*own);
@@ -353,7 +353,8 @@ Result<std::size_t> step_to_begin_at(const Sequence& sequence, int counted) {
     }
     if (counted > first && std::holds_alternative<Repeat>(step.body))
       return cannot(
-          fmt::format("It lies within the loop of step {}: the number of passes made is unknown.", i + 1),
+          fmt::format("The line lies within the loop of step {}: the number of passes made is unknown.",
+                      i + 1),
           "Begin before the loop or after it.");
     return i;
   }

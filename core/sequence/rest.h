@@ -29,7 +29,7 @@ using OnlySets = std::function<bool(const Custom&)>;
 
 /// `step`: index in the list. `begin`: positions before the first step; axes named there are sent to their
 /// place too. The fault says why the state before `step` is unknown: an earlier step repeats for ever, or
-/// leaves an axis where the machine decides.
+/// leaves an axis at a place that only the machine determines.
 Result<Rest> rest_from(const Sequence& sequence, std::size_t step, const Places& begin = {},
                        Rehearsed rehearsed = Rehearsed::no, const OnlySets& only_sets = {});
 

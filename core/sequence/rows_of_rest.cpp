@@ -21,13 +21,14 @@ std::size_t leading_of(const StepList& rest) {
   return static_cast<std::size_t>((begins == rest.end() ? begins : begins + 1) - rest.begin());
 }
 
-/// Whether `step` is the same loop with fewer passes, those left.
+/// Whether `step` is the same loop with only the remaining passes.
 bool is_left_of(const Step& step, const Repeat& loop) {
   const auto* left = std::get_if<Repeat>(&step.body);
   return left && left->times < loop.times && left->steps == loop.steps;
 }
 
-/// Matches backwards: the rest ends like the whole, or within an entered loop like that loop.
+/// Matches backwards: a rest ends with the same steps as the whole, or within an entered loop with the same
+/// steps as that loop.
 class BackwardMatch {
  public:
   explicit BackwardMatch(const StepList& rest)
@@ -50,7 +51,7 @@ class BackwardMatch {
       if (same || is_left_of(rest_[left_ - 1], *loop)) take(row);
       const auto left = left_;
       const auto end = end_;
-      if (same && match(steps, count - 1, row)) return true;  // it begins before an endless loop
+      if (same && match(steps, count - 1, row)) return true;  // the rest begins before an endless loop
       left_ = left, end_ = end;
       return match(loop->steps, loop->steps.size(), behind);
     }

@@ -153,7 +153,7 @@ struct Custom {
 struct Step {
   using Any = std::variant<Speed, Move, Arc, Jog, Home, Stop, WaitMotion, Delay, WaitInput, MoveOnInput,
                            Output, Enable, Pen, Comment, Repeat, Custom, Contour, SpeedStairs>;
-  /// Not inline: every file that copies a step would compile the copy of each kind again.
+  /// Not inline, as every file that copies a step would compile the copying of each kind again.
   struct Body : Any {
     using Any::Any;
     Body(const Body& other);

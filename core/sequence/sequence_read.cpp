@@ -25,7 +25,7 @@ struct File {
   void wrong(const toml::node& node, std::string_view what) {
     if (!fault)
       fault = Fault(FaultKind::text, fmt::format("{}, line {}: {}.", name, node.source().begin.line, what),
-                    "Nothing was taken from the file.", "Correct that line, or choose another file.");
+                    "Nothing was loaded from the file.", "Correct that line, or choose another file.");
   }
 };
 
@@ -55,7 +55,7 @@ class FieldReader {
     if (const auto read = node->value_exact<bool>())
       value = *read;
     else
-      file_.wrong(*node, fmt::format("{} is true or false", key));
+      file_.wrong(*node, fmt::format("{} must be true or false", key));
   }
   void text(std::string_view key, std::string& value) {
     const toml::node* node = find(key);
@@ -63,7 +63,7 @@ class FieldReader {
     if (auto read = node->value_exact<std::string>())
       value = std::move(*read);
     else
-      file_.wrong(*node, fmt::format("{} is a text in quotation marks", key));
+      file_.wrong(*node, fmt::format("{} must be a text in quotation marks", key));
   }
   void count(std::string_view key, int& value) { whole(key, value, 0, 1'000'000); }
   void line(std::string_view key, int& value) {
@@ -86,7 +86,7 @@ class FieldReader {
     if (!node) return;
     const auto name = node->value_exact<std::string>();
     value = name ? place_of(*name) : -1;
-    if (value < 0) file_.wrong(*node, fmt::format("{} is one of the axes that stand in the file", key));
+    if (value < 0) file_.wrong(*node, fmt::format("{} must be one of the axes of the file", key));
   }
   void sign(std::string_view key, Sign& value) {
     constexpr std::array<std::string_view, 2> signs{"-", "+"};
@@ -110,7 +110,7 @@ class FieldReader {
       const int axis = place_of(name.str());
       const auto read = number_in(place);
       if (axis < 0 || !read)
-        return file_.wrong(place, fmt::format("{} is no axis with a number", name.str()));
+        return file_.wrong(place, fmt::format("{} is not an axis with a number", name.str()));
       value[ix(axis)] = read;
     }
     if (node->as_table()->empty()) file_.wrong(*node, "it moves no axis");
@@ -127,7 +127,7 @@ class FieldReader {
           return file_.wrong(*node, fmt::format("there is no axis \"{}\" in the file", *name));
       }
     if (places[0] < 0 || places[1] < 0 || places[0] == places[1])
-      return file_.wrong(*node, fmt::format("{} are two different axes, [\"X\", \"Z\"]", key));
+      return file_.wrong(*node, fmt::format("{} must be two different axes, such as [\"X\", \"Z\"]", key));
     value = {places[0], places[1]};
   }
   void stairs(std::string_view key, std::vector<SpeedStairs::Stair>& value) {
@@ -135,7 +135,7 @@ class FieldReader {
     if (!node || !node->is_array()) return missing(fmt::format("{} in [ ]", key));
     for (const toml::node& each : *node->as_array()) {
       const toml::table* table = each.as_table();
-      if (!table) return file_.wrong(each, "a stair stands in { }");
+      if (!table) return file_.wrong(each, "a stair must be in { }");
       FieldReader reader(*table, file_, depth_);
       fields(reader, value.emplace_back());
       reader.end();
@@ -157,7 +157,7 @@ class FieldReader {
   void end() {
     for (const auto& [key, node] : table_)
       if (std::find(used_.begin(), used_.end(), key.str()) == used_.end())
-        file_.wrong(node, fmt::format("{} is not known here", key.str()));
+        file_.wrong(node, fmt::format("{} is not known", key.str()));
   }
   const toml::node* find(std::string_view key) {
     const toml::node* node = table_.get(key);
@@ -173,7 +173,7 @@ class FieldReader {
     if (const auto read = number_in(*node))
       value = *read;
     else
-      file_.wrong(*node, fmt::format("{} is a number", key));
+      file_.wrong(*node, fmt::format("{} must be a number", key));
     return true;
   }
   template <class Whole>
@@ -183,7 +183,7 @@ class FieldReader {
     if (!node) return;
     const auto read = node->value_exact<std::int64_t>();
     if (!read || *read < low || *read > high)
-      return file_.wrong(*node, fmt::format("{} is a whole number from {} to {}", key, low, high));
+      return file_.wrong(*node, fmt::format("{} must be a whole number from {} to {}", key, low, high));
     value = static_cast<Whole>(*read);
   }
   [[nodiscard]] int place_of(std::string_view name) const {
@@ -213,8 +213,8 @@ Step read_step(const toml::table& table, File& file, int depth) {
   const auto found = std::find(kind_names.begin(), kind_names.end(), kind);
   Step step;
   if (found == kind_names.end()) {
-    file.wrong(table,
-               kind.empty() ? "it does not say what to do" : fmt::format("there is no step \"{}\"", kind));
+    file.wrong(table, kind.empty() ? "the step does not say what to do"
+                                   : fmt::format("there is no step \"{}\"", kind));
     return step;
   }
   step.body = body_of(static_cast<std::size_t>(found - kind_names.begin()),
@@ -228,39 +228,39 @@ Step read_step(const toml::table& table, File& file, int depth) {
 StepList read_steps(const toml::node& node, File& file, int depth) {
   StepList steps;
   const toml::array* array = node.as_array();
-  if (!array) return file.wrong(node, "steps stand in [ ]"), steps;
+  if (!array) return file.wrong(node, "steps must be in [ ]"), steps;
   if (depth > deepest_loop)
-    return file.wrong(node, fmt::format("loops stand in loops more than {} deep", deepest_loop)), steps;
+    return file.wrong(node, fmt::format("loops are nested more than {} deep", deepest_loop)), steps;
   steps.reserve(array->size());
   for (const toml::node& step : *array) {
     if (file.fault) break;
     if (const toml::table* table = step.as_table())
       steps.push_back(read_step(*table, file, depth));
     else
-      file.wrong(step, "a step stands in { }");
+      file.wrong(step, "a step must be in { }");
   }
   return steps;
 }
 
 void read_axes(const toml::node& node, std::vector<Axis>& axes, File& file) {
   const toml::array* array = node.as_array();
-  if (!array) return file.wrong(node, "axes stand in [ ]");
+  if (!array) return file.wrong(node, "axes must be in [ ]");
   for (const toml::node& each : *array) {
     const toml::table* table = each.as_table();
-    if (!table) return file.wrong(each, "an axis stands in { }");
+    if (!table) return file.wrong(each, "an axis must be in { }");
     Axis axis;
     FieldReader reader(*table, file, 0);
     reader.text("name", axis.name);
     reader.number("per_unit", axis.per_unit);
     reader.end();
-    if (!(axis.per_unit > 0)) file.wrong(each, "per_unit is more than 0");
+    if (!(axis.per_unit > 0)) file.wrong(each, "per_unit must be more than 0");
     const bool twice =
         std::any_of(axes.begin(), axes.end(), [&](const Axis& a) { return a.name == axis.name; });
-    if (axis.name.empty() || twice) file.wrong(each, "each axis has a name of its own");
+    if (axis.name.empty() || twice) file.wrong(each, "each axis needs its own name");
     axes.push_back(std::move(axis));
   }
   if (axes.empty() || axes.size() > max_axes)
-    file.wrong(node, fmt::format("there are 1 to {} axes", max_axes));
+    file.wrong(node, fmt::format("the file must have 1 to {} axes", max_axes));
 }
 
 }  // namespace
@@ -279,7 +279,7 @@ Result<Sequence> read_sequence(std::string_view text, const std::string& name) {
     const auto& error = parsed.error();
     return fail(FaultKind::text,
                 fmt::format("{}, line {}: {}.", name, error.source().begin.line, error.description()),
-                "Nothing was taken from the file.", "Correct that line, or choose another file.");
+                "Nothing was loaded from the file.", "Correct that line, or choose another file.");
   }
   FieldReader reader(parsed.table(), file, 0);
   const toml::node* written_as = reader.find(version_key);
@@ -287,7 +287,7 @@ Result<Sequence> read_sequence(std::string_view text, const std::string& name) {
     return fail(
         FaultKind::text,
         fmt::format("{} is not a sequence of version {} ({} = {}).", name, version, version_key, version),
-        "Nothing was taken from the file.", "Choose a file that was saved here.");
+        "Nothing was loaded from the file.", "Choose a file that was saved here.");
   reader.text("unit", sequence.unit);
   reader.positive("tolerance", sequence.tolerance);
   if (const toml::node* axes = reader.find("axes")) read_axes(*axes, sequence.axes, file);
@@ -298,7 +298,7 @@ Result<Sequence> read_sequence(std::string_view text, const std::string& name) {
   if (file.fault) return fail(std::move(*file.fault));
   if (sequence.axes.empty())
     return fail(FaultKind::text, fmt::format("{} does not list its axes.", name),
-                "Nothing was taken from the file.", "Add axes = [ { name = \"X\" } ].");
+                "Nothing was loaded from the file.", "Add axes = [ { name = \"X\" } ].");
   return sequence;
 }
 

@@ -13,8 +13,8 @@ Sign direction_of(const SpeedStairs& s) {
 }
 
 std::string why_no_way(const SpeedStairs& s, std::optional<double> from) {
-  if (s.stairs.empty()) return "it has no stair.";
-  if (from == s.stop_at) return "it stops where the axis stands.";
+  if (s.stairs.empty()) return "there is no stair.";
+  if (from == s.stop_at) return "the stop position is where the axis stands.";
   const Sign way = !from ? direction_of(s) : s.stop_at > *from ? Sign::plus : Sign::minus;
   std::optional<double> before = from;
   for (std::size_t i = 0; i < s.stairs.size(); ++i) {
@@ -25,7 +25,7 @@ std::string why_no_way(const SpeedStairs& s, std::optional<double> from) {
     before = until;
   }
   if (!lies_behind(s.stop_at, *before, way))
-    return fmt::format("it has passed {} when the last stair ends at {}.", s.stop_at, *before);
+    return fmt::format("the last stair ends at {1}, past the stop position {0}.", s.stop_at, *before);
   return {};
 }
 

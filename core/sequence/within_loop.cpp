@@ -11,7 +11,7 @@
 namespace hw::sequence {
 namespace {
 
-/// The step of the list that is or contains a counted step, and the count within; none: not found.
+/// The step of the list that is the counted step or contains it, and the count within it; none: not found.
 struct Found {
   std::size_t step;
   int inner;  ///< -1: that step itself, or one in a contour, which is run as a whole
@@ -77,7 +77,7 @@ Result<RestOfLoop> rest_within(const Sequence& sequence, int counted, std::int64
                                Rehearsed rehearsed, const OnlySets& only_sets) {
   const auto within = loops_around(sequence, counted);
   if (!within || pass < 0 || (within->times && pass >= *within->times))
-    return fail(FaultKind::refused, "There is no such pass of a loop.", "Nothing was begun.");
+    return fail(FaultKind::refused, "There is no such pass of a loop.", "Nothing was started.");
   Opened opened = open(sequence.steps, counted, pass);
   Sequence whole = frame_of(sequence);
   whole.steps = std::move(opened.steps);

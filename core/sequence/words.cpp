@@ -25,7 +25,8 @@ std::string axis_of(int axis, const Sequence& of) {
   return axis < 0 ? "all" : axis < static_cast<int>(of.axes.size()) ? of.axes[ix(axis)].name : "?";
 }
 
-/// Before a number, which follows a name like "1" behind a colon.
+/// Separates an axis name from the number after it: with a colon where the name itself is a number, such as
+/// "1".
 std::string before_number(const std::string& axis) {
   const bool digit = !axis.empty() && axis.back() >= '0' && axis.back() <= '9';
   return digit ? axis + ":" : axis;
@@ -203,7 +204,7 @@ FixedText<64> label_of_field(std::string_view key, std::string_view unit_shown) 
                                                  {"y", "Centre up", Unit::length},
                                                  {"degrees", "Degrees"},
                                                  {"to", "Target", Unit::length},
-                                                 {"relative", "By, not to"},
+                                                 {"relative", "Relative"},
                                                  {"axis", "Axis"},
                                                  {"until", "Up to", Unit::length},
                                                  {"speed", "At", Unit::speed},

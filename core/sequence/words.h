@@ -21,7 +21,7 @@ struct Scale {
 /// Display of a whole sequence.
 struct Look {
   std::array<Scale, max_axes> axes;  ///< by index in Sequence::axes
-  Scale all;                         ///< of numbers without a particular axis
+  Scale all;                         ///< for numbers that belong to no particular axis
   bool operator==(const Look&) const = default;
   [[nodiscard]] const Scale& of_axis(int axis) const;
   /// For the speed of a motion: the axes' scale if it is the same for all.

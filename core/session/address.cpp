@@ -58,15 +58,19 @@ std::string known_models() {
   return all;
 }
 
-std::string known_models_near(std::string_view wanted) {
+Fault unknown_model(std::string_view model) {
   std::vector<std::string> models;
   std::string meant;
   for (const DeviceType& type : device_types()) {
     models.emplace_back(type.model);
-    if (wanted.size() >= 3 && type.model.starts_with(wanted))
+    if (model.size() >= 3 && type.model.starts_with(model))
       meant = fmt::format(" Did you mean \"{}\"?", type.model);
   }
-  return fmt::format("Known: {}.{}", known_models(), meant.empty() ? did_you_mean(wanted, models) : meant);
+  if (meant.empty()) meant = did_you_mean(model, models);
+  return {FaultKind::text,
+          fmt::format("There is no controller model \"{}\".", model),
+          {},
+          fmt::format("Known: {}.{}", known_models(), meant)};
 }
 
 static std::string transport_near(std::string_view wanted) {
@@ -84,9 +88,11 @@ Result<Address> Address::parse(std::string_view text) {
   address.model = text.substr(0, at);
   std::transform(address.model.begin(), address.model.end(), address.model.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (!find_device_type(address.model))
-    return bad(fmt::format("There is no controller model \"{}\". {}", text.substr(0, at),
-                           known_models_near(address.model)));
+  if (!find_device_type(address.model)) {
+    Fault unknown = unknown_model(text.substr(0, at));
+    unknown.done = "Nothing was opened.";
+    return fail(std::move(unknown));
+  }
   const std::string_view rest = text.substr(at + 1);
   const auto comma = rest.find(',');
   const std::string_view way = rest.substr(0, comma);
@@ -101,7 +107,7 @@ Result<Address> Address::parse(std::string_view text) {
   if (transport->place == Place::needed && address.where.empty())
     return bad(fmt::format("The address does not say where: {}@{}:WHERE.", address.model, address.transport));
   if (transport->place == Place::none && !address.where.empty())
-    return bad(fmt::format("An emulator takes no place: leave \"{}\" out.", address.where));
+    return bad(fmt::format("Leave \"{}\" out: an emulator has no place.", address.where));
   if (comma != rest.npos) {
     if (auto read = read_options(rest.substr(comma + 1), address); !read) return fail(read.error());
   }

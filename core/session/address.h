@@ -32,8 +32,8 @@ struct Address {
 
 /// The models for an address: "vxm, pmx-4ex-sa, dmx-k-sa".
 std::string known_models();
-/// "Known: vxm, dmx-k-sa." and the one that may have been meant.
-std::string known_models_near(std::string_view wanted);
+/// The fault for an unknown model name. It advises the known models and, if there is one, a similar name.
+Fault unknown_model(std::string_view model);
 /// "HOST:PORT" or "[IPV6]:PORT".
 Result<std::pair<std::string, int>> split_host_port(std::string_view where);
 

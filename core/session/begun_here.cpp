@@ -5,8 +5,8 @@
 
 namespace hw {
 
-/// Single complete commands only: a combination may do anything. Not one that also means a motion in another
-/// state.
+/// True for single complete commands only, as a combination may do anything. False for a command that starts
+/// a motion in another state of the controller.
 bool BegunHere::only_asks(const std::string& text) {
   if (harmless_.empty())
     for (const CommandInfo& command : catalog_.commands)

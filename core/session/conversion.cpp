@@ -15,7 +15,7 @@
 namespace hw {
 namespace {
 
-using drawing::Going;
+using drawing::CurveMode;
 
 constexpr int entries_of_a_piece = 4;  // of a contour, at most
 
@@ -65,12 +65,12 @@ double length_of(const std::vector<drawing::Chain>& chains) {
   return all;
 }
 
-Result<double> tolerance_of(Going going, const ConversionOptions& o) {
+Result<double> tolerance_of(CurveMode curve_mode, const ConversionOptions& o) {
   if (o.tolerance) {
     if (!(*o.tolerance > 0)) return refuse("The tolerance has to be more than 0.");
     return *o.tolerance;
   }
-  if (going == Going::stairs)
+  if (curve_mode == CurveMode::stairs)
     return refuse("This controller moves one axis at a time: a slanted line becomes a staircase.",
                   "Give a tolerance: how far its corners may lie from the line.");
   double finest = 0;
@@ -93,7 +93,7 @@ std::vector<std::size_t> off_the(const drawing::Box& table, const std::vector<dr
 /// Names the entity that lies beyond the controller's range, before any step is made.
 Result<> can_be_counted(const std::vector<drawing::Chain>& chains, const Catalog& catalog,
                         const ConversionOptions& o) {
-  constexpr double furthest = 9007199254740992;  // steps, 2^53: beyond, neighbouring steps are equal
+  constexpr double furthest = 9007199254740992;  // steps, 2^53: a double cannot tell larger ones apart
   const bool has_range = catalog.position_max > catalog.position_min;
   const double low = has_range ? static_cast<double>(catalog.position_min.value) : -furthest;
   const double high = has_range ? static_cast<double>(catalog.position_max.value) : furthest;
@@ -105,8 +105,8 @@ Result<> can_be_counted(const std::vector<drawing::Chain>& chains, const Catalog
         const double steps = std::round(at * o.axes[axis].per_unit);
         if (steps >= low && steps <= high) continue;
         return refuse(
-            fmt::format("Entity {}, line {} of the file, reaches to {:.6g} {} of {}: that is {:.15g} "
-                        "{}, and a {} goes from {:.0f} to {:.0f}.",
+            fmt::format("Entity {}, line {} of the file, reaches {:.6g} {} of {}: that is {:.15g} {}, and "
+                        "the range of a {} is {:.0f} to {:.0f}.",
                         chain.entity, chain.line, at, o.unit, o.axes[axis].name, steps, catalog.step_word,
                         catalog.short_name, low, high));
       }
@@ -125,7 +125,7 @@ Result<Put> put_chains(const drawing::Drawing& whole, double scale, const Conver
   Put put{drawing::join(*chosen, o.touching / scale, o.without), {}};
   if (put.chains.empty())
     return refuse("The drawing has nothing that can be drawn.",
-                  whole.paths.empty() ? "" : "Choose a layer with something on it, or leave less out.");
+                  whole.paths.empty() ? "" : "Choose a layer with lines on it, or leave less out.");
   drawing::Placing placing = o.placing;
   placing.scale = scale;
   put.placed = drawing::place(put.chains, placing);
@@ -141,7 +141,7 @@ Result<> are_axes_that_draw(const Catalog& catalog, const ConversionOptions& o) 
   for (std::size_t i = 0; i < o.axes.size(); ++i)
     for (std::size_t before = 0; before < i; ++before)
       if (o.axes[i].name == o.axes[before].name)
-        return refuse(i == 1 ? fmt::format("Axis {} would draw in both directions.", o.axes[i].name)
+        return refuse(i == 1 ? fmt::format("Axis {} would be both axes of the drawing.", o.axes[i].name)
                              : fmt::format("Axis {} draws, and so cannot lower the tool.", o.axes[i].name),
                       "Choose another axis.");
   return {};
@@ -149,47 +149,46 @@ Result<> are_axes_that_draw(const Catalog& catalog, const ConversionOptions& o) 
 
 /// Both speeds or neither: a controller would keep the only one for all of its moves. Contours have a speed
 /// of their own.
-Result<> has_its_speeds(Going going, const Catalog& catalog, const ConversionOptions& o) {
+Result<> has_its_speeds(CurveMode curve_mode, const Catalog& catalog, const ConversionOptions& o) {
   const bool cuts = o.cutting.high > 0, travels = o.travel.high > 0;
-  if (going == Going::contours && !cuts)
+  if (curve_mode == CurveMode::contours && !cuts)
     return refuse(fmt::format("A {} draws contours at one speed, and none is given.", catalog.short_name),
                   fmt::format("Give {}.", o.cutting_name));
-  if (going == Going::contours || cuts == travels) return {};
+  if (curve_mode == CurveMode::contours || cuts == travels) return {};
   return refuse(fmt::format("Only {} is given, and the controller would keep it for all of its moves.",
                             cuts ? o.cutting_name : o.travel_name),
                 fmt::format("Give {} too.", cuts ? o.travel_name : o.cutting_name));
 }
 
-/// Refuses a drawing smaller than a step or the tolerance: it has no shape any more.
+/// Refuses a drawing smaller than a step or the tolerance: its shape would be lost.
 Result<> keeps_its_shape(const Conversion& made, const Catalog& catalog, const ConversionOptions& o) {
   const double width = made.box.high.x - made.box.low.x, height = made.box.high.y - made.box.low.y;
   const double longer = std::max(width, height);
   if (!(longer > 0)) return {};  // dots
   if (width * o.axes[0].per_unit < 1 && height * o.axes[1].per_unit < 1)
     return refuse(
-        fmt::format("All of the drawing lies within one of the {}: {:g} x {:g} {}, with {:g} and {:g} "
-                    "{} in a {}.",
-                    catalog.step_word, width, height, o.unit, o.axes[0].per_unit, o.axes[1].per_unit,
-                    catalog.step_word, o.unit),
-        "Check its unit and its scale.");
+        fmt::format(
+            "The whole drawing is smaller than one of the {}: {:g} x {:g} {}, with {:g} and {:g} {} per {}.",
+            catalog.step_word, width, height, o.unit, o.axes[0].per_unit, o.axes[1].per_unit,
+            catalog.step_word, o.unit),
+        "Check the unit and the scale of the drawing.");
   if (made.tolerance <= longer) return {};
   return refuse(
-      fmt::format("A tolerance of {:g} {} is more than all of the drawing, which has {:g} x {:g} {}.",
+      fmt::format("A tolerance of {:g} {} is larger than the whole drawing, which is {:g} x {:g} {}.",
                   made.tolerance, o.unit, width, height, o.unit),
-      "Make it smaller.");
+      "Make the tolerance smaller.");
 }
 
 /// Refuses stairs with too many moves.
 Result<> are_few_enough(const std::vector<drawing::Chain>& chains, const Conversion& made,
                         const ConversionOptions& o) {
   constexpr double most = 5e6;
-  const double moves = made.going == Going::stairs ? 2 * length_of(chains) / made.tolerance : 0;
+  const double moves = made.curve_mode == CurveMode::stairs ? 2 * length_of(chains) / made.tolerance : 0;
   if (moves <= most) return {};
   return refuse(
-      fmt::format("With stairs that lie within {:g} {} of the line it would become some {:.0f} million "
-                  "moves.",
+      fmt::format("Stairs that lie within {:g} {} of the line would take some {:.0f} million moves.",
                   made.tolerance, o.unit, moves / 1e6),
-      "Allow them to lie further away.");
+      "Give a larger tolerance.");
 }
 
 }  // namespace
@@ -227,7 +226,7 @@ std::optional<double> millimetres(const std::string& unit) {
 }
 
 double finest_chord(const Catalog& catalog, const ConversionOptions& o) {
-  if (o.tolerance) return drawing::chord_within(*o.tolerance, going_of(catalog, o));
+  if (o.tolerance) return drawing::chord_within(*o.tolerance, curve_mode_of(catalog, o));
   double finest = 1;
   for (const sequence::Axis& axis : o.axes) finest = std::min(finest, 0.5 / axis.per_unit);
   return finest;
@@ -284,32 +283,33 @@ Result<std::string> tool_remark(const sequence::Sequence& sequence, const Catalo
   return std::move(draft).finish().tool;
 }
 
-Going going_of(const Catalog& catalog) {
-  if (catalog.can.contours) return Going::contours;
-  if (catalog.can.arcs) return Going::arcs;
-  return catalog.can.interpolates ? Going::lines : Going::stairs;
+CurveMode curve_mode_of(const Catalog& catalog) {
+  if (catalog.can.contours) return CurveMode::contours;
+  if (catalog.can.arcs) return CurveMode::arcs;
+  return catalog.can.interpolates ? CurveMode::lines : CurveMode::stairs;
 }
 
 // Arcs need the first two axes. With different steps per unit a circle is not a circle for the controller.
-Going going_of(const Catalog& catalog, const ConversionOptions& o) {
-  const Going going = going_of(catalog);
-  if (o.axes.size() < 2) return going;
+CurveMode curve_mode_of(const Catalog& catalog, const ConversionOptions& o) {
+  const CurveMode curve_mode = curve_mode_of(catalog);
+  if (o.axes.size() < 2) return curve_mode;
   const bool first_two = catalog.axes.size() > 1 && o.axes[0].name == catalog.axes[0].name &&
                          o.axes[1].name == catalog.axes[1].name;
-  const bool no_arcs = o.axes[0].per_unit != o.axes[1].per_unit || (going == Going::arcs && !first_two);
-  if (!no_arcs) return going;
-  return catalog.can.interpolates ? Going::lines : Going::stairs;
+  const bool no_arcs =
+      o.axes[0].per_unit != o.axes[1].per_unit || (curve_mode == CurveMode::arcs && !first_two);
+  if (!no_arcs) return curve_mode;
+  return catalog.can.interpolates ? CurveMode::lines : CurveMode::stairs;
 }
 
 Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog, const ConversionOptions& o,
                            const drawing::Progress& progress) {
   if (auto axes = are_axes_that_draw(catalog, o); !axes) return fail(axes.error());
   Conversion made;
-  made.going = going_of(catalog, o);
-  if (auto speeds = has_its_speeds(made.going, catalog, o); !speeds) return fail(speeds.error());
+  made.curve_mode = curve_mode_of(catalog, o);
+  if (auto speeds = has_its_speeds(made.curve_mode, catalog, o); !speeds) return fail(speeds.error());
   const auto scale = scale_of(whole, o);
   if (!scale) return fail(scale.error());
-  const auto tolerance = tolerance_of(made.going, o);
+  const auto tolerance = tolerance_of(made.curve_mode, o);
   if (!tolerance) return fail(tolerance.error());
   auto put = put_chains(whole, *scale, o);
   if (!put) return fail(put.error());
@@ -320,7 +320,7 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   if (auto few = are_few_enough(made.chains, made, o); !few) return fail(few.error());
   made.box = drawing::box_of(made.chains);
   if (auto seen = keeps_its_shape(made, catalog, o); !seen) return fail(seen.error());
-  const bool in_turn = made.going == Going::stairs;
+  const bool in_turn = made.curve_mode == CurveMode::stairs;
   made.way_as_drawn = made.way = drawing::way_between(made.chains, {}, in_turn);
   if (!o.keep_order) {
     drawing::order(made.chains, {}, progress);
@@ -333,9 +333,9 @@ Result<Conversion> convert(const drawing::Drawing& whole, const Catalog& catalog
   made.sequence.unit = o.unit;
   made.sequence.axes = o.axes;
   made.sequence.pen_up = o.pen_up, made.sequence.pen_down = o.pen_down;
-  if (made.going == Going::arcs) made.sequence.tolerance = o.tolerance.value_or(0);
+  if (made.curve_mode == CurveMode::arcs) made.sequence.tolerance = o.tolerance.value_or(0);
   drawing::Tool tool;
-  tool.going = made.going, tool.tolerance = made.tolerance;
+  tool.curve_mode = made.curve_mode, tool.tolerance = made.tolerance;
   tool.cutting = o.cutting, tool.travel = o.travel;
   for (std::size_t i = 0; i < catalog.outputs.size(); ++i)
     if (catalog.outputs[i].on_the_way) tool.contour_outputs.push_back(catalog.output_number(i));

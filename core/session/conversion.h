@@ -28,7 +28,7 @@ struct ConversionOptions {
   std::optional<double> tolerance;   ///< of chords and stairs, in `unit`; none: half a step
   bool keep_order = false;           ///< keep the order of the file
   sequence::Speeds cutting, travel;
-  /// The names by which the user finds the two speeds.
+  /// The names of the two speeds in messages to the user.
   std::string cutting_name = "the speed with the tool on", travel_name = "the speed with the tool off";
   sequence::StepList pen_up, pen_down;
   std::optional<drawing::Box> table;  ///< reach of the tool, in `unit`
@@ -36,23 +36,23 @@ struct ConversionOptions {
 
 struct Conversion {
   sequence::Sequence sequence;
-  sequence::Sequence frame;            ///< once around it with the tool up
+  sequence::Sequence frame;            ///< drives once around the drawing, tool up
   drawing::Affine placed;              ///< from the drawing to the sequence
-  std::vector<drawing::Chain> chains;  ///< as they are drawn, in `unit`
+  std::vector<drawing::Chain> chains;  ///< in drawing order, in `unit`
   std::vector<std::size_t> begins;     ///< first step in the sequence of each chain
   drawing::Box box;
   int box_around = -1;  ///< index in `chains` of a box around all others, such as margins; -1: none
-  drawing::Going going = drawing::Going::lines;
+  drawing::CurveMode curve_mode = drawing::CurveMode::lines;
   double tolerance = 0;
   double drawn = 0;  ///< length of all chains
-  /// With the tool up, as the machine goes: in the file's order; in `chains`' order.
+  /// Travel of the machine with the tool up: in the file's order, and in the order of `chains`.
   double way_as_drawn = 0, way = 0;
   std::vector<std::size_t> off_the_table;  ///< places in `chains`
 };
 
 /// How the controller follows a chain; the second form considers the drawing axes too.
-drawing::Going going_of(const Catalog& catalog);
-drawing::Going going_of(const Catalog& catalog, const ConversionOptions& options);
+drawing::CurveMode curve_mode_of(const Catalog& catalog);
+drawing::CurveMode curve_mode_of(const Catalog& catalog, const ConversionOptions& options);
 /// Largest distance of splines and ellipses from their chords, in the options' unit.
 double finest_chord(const Catalog& catalog, const ConversionOptions& options);
 /// Reads a file, its splines and ellipses as fine as finest_chord(). May block: for a worker.

@@ -27,7 +27,7 @@ std::size_t longest_word_of(std::string_view key) {
   return key == "text" ? std::string::npos : longest_json_word;
 }
 
-/// Never within a character.
+/// Cuts between characters, never within one.
 void cut_to(std::size_t most, std::string& word) {
   if (word.size() <= most) return;
   while (most > 0 && (static_cast<unsigned char>(word[most]) & 0xC0) == 0x80) --most;
@@ -53,7 +53,7 @@ json parse_small(const std::string& bytes) {
   return fits ? object : json(json::value_t::discarded);
 }
 
-/// Writes out characters that would act on a line of the screen, for names to be shown.
+/// Escapes characters that would disturb a line on the screen. For names that are shown.
 void write_out(json& part) {
   if (part.is_string()) part = shown_text(part.get_ref<const std::string&>(), longest_json_word);
   if (part.is_array())
@@ -76,7 +76,7 @@ Fault newer(const std::filesystem::path& path, std::string_view what_it_is) {
                fmt::format("The file with {} was written by a newer version of Handwheel ({}).", what_it_is,
                            path.string()),
                aside.empty() ? "It was left as it is and is not used."
-                             : fmt::format("It was renamed to {}, and a new file is begun.",
+                             : fmt::format("It was renamed to {}, and a new file was started.",
                                            aside.filename().string()));
 }
 
@@ -86,7 +86,7 @@ Fault damaged(const std::filesystem::path& path, std::string_view what_it_is) {
   const auto aside = set_aside(path);
   return Fault(FaultKind::text, fmt::format("The file with {} is damaged ({}).", what_it_is, path.string()),
                aside.empty() ? "It was left as it is and is not used."
-                             : fmt::format("It was renamed to {}, and a new file is begun.",
+                             : fmt::format("It was renamed to {}, and a new file was started.",
                                            aside.filename().string()));
 }
 

@@ -22,7 +22,7 @@ class KeptPositions {
   [[nodiscard]] bool enabled() const { return folders_.enabled; }
   /// By AxisId; empty: nothing is kept. A damaged file: a fault; the file is set aside.
   [[nodiscard]] Result<std::vector<KeptPosition>> load(std::string_view key, TwoClocks now) const;
-  /// May block: for workers, and for the end.
+  /// May block: for workers, and for the end of the program.
   Result<> save(std::string_view key, const std::vector<KeptPosition>& axes, TwoClocks now) const;
 
  private:

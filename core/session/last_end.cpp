@@ -18,12 +18,12 @@ static std::string_view outcome_words(LastEnd::Outcome outcome) {
   switch (outcome) {
     case LastEnd::Outcome::at_rest: return "it was stopped, and confirmed at rest.";
     case LastEnd::Outcome::stop_sent:
-      return "a stop was sent, but the program ended before it was seen at rest. Look at it first.";
+      return "a stop was sent, but the program ended before it was seen at rest. Check it first.";
     case LastEnd::Outcome::no_stop_sent:
-      return "no stop could be sent, for there was no link. It may still be moving: look at it first.";
+      return "no stop could be sent, because there was no link. It may still be moving: check it first.";
     case LastEnd::Outcome::left_alone: break;
   }
-  return "that was not begun here, and was left alone.";
+  return "this was not started here, and was left running.";
 }
 
 std::string LastEnd::sentence(const std::string& today) const {

@@ -14,14 +14,14 @@ int source_line(const toml::node& node) { return static_cast<int>(node.source().
 
 tl::unexpected<Fault> bad_file(const std::string& name, int line, std::string_view what) {
   return fail(FaultKind::text, fmt::format("{}, line {}: {}.", name, line, what),
-              "Nothing was taken from the file.", "Correct that line, or choose another file.");
+              "Nothing was loaded from the file.", "Correct that line, or choose another file.");
 }
 
 Result<> take_parameters(const toml::table& table, const std::string& name, Backup& out) {
   for (const auto& [key, node] : table) {
     const auto number = node.value_exact<std::int64_t>();
     if (!number)
-      return bad_file(name, source_line(node), fmt::format("{} is not given a whole number", key.str()));
+      return bad_file(name, source_line(node), fmt::format("{} must be a whole number", key.str()));
     out.parameters.push_back({std::string(key.str()), *number, source_line(node)});
   }
   return {};
@@ -32,7 +32,8 @@ Result<> take_programs(const toml::table& table, const std::string& name, Backup
     const int slot = whole_number<int>(key.str()).value_or(-1);
     const auto text = node.value_exact<std::string>();
     if (slot < 0 || !text)
-      return bad_file(name, source_line(node), fmt::format("{} is not a program with a text", key.str()));
+      return bad_file(name, source_line(node),
+                      fmt::format("{} must be the number of a program, with its text", key.str()));
     out.programs[slot] = *text;
   }
   return {};
@@ -44,7 +45,7 @@ Result<> take_variables(const toml::table& table, const std::string& name, Backu
     const auto value = node.value_exact<std::int64_t>();
     if (number < 0 || !value)
       return bad_file(name, source_line(node),
-                      fmt::format("{} is not a variable with a whole number", key.str()));
+                      fmt::format("{} must be the number of a variable, with a whole number", key.str()));
     out.variables[number] = *value;
   }
   return {};
@@ -139,13 +140,13 @@ Result<Backup> parse_backup(std::string_view text, const std::string& name) {
     else if (value && k == "saved_at")
       b.saved_at = *value;
     else
-      return bad_file(name, source_line(node), fmt::format("{} is not known here", k));
+      return bad_file(name, source_line(node), fmt::format("{} is not known", k));
     if (!taken) return fail(taken.error());
   }
   if (b.model.empty())
     return fail(FaultKind::text,
                 fmt::format("{} does not say for which controller it is (model = \"...\").", name),
-                "Nothing was taken from the file.", "Choose a file that was saved here.");
+                "Nothing was loaded from the file.", "Choose a file that was saved here.");
   // toml++ sorts by name; restore the order of the file, which the user knows.
   std::stable_sort(b.parameters.begin(), b.parameters.end(),
                    [](const ParameterEntry& x, const ParameterEntry& y) { return x.line < y.line; });
@@ -156,7 +157,7 @@ Result<> save_backup(const std::filesystem::path& path, const Backup& backup, co
   auto written = write_file(path, write_backup(backup, catalog));
   if (written) return written;
   Fault fault = std::move(written.error());
-  fault.done = "An older file of that name is as it was.";
+  fault.done = "An older file of that name is unchanged.";
   return fail(std::move(fault));
 }
 
@@ -172,7 +173,7 @@ Result<CheckedBackup> check_backup(const Backup& backup, const Catalog& catalog,
     return fail(
         FaultKind::text,
         fmt::format("{} is for a controller \"{}\", this one is \"{}\".", name, backup.model, catalog.model),
-        "Nothing was taken from the file.", "Choose a file of this model.");
+        "Nothing was loaded from the file.", "Choose a file of this model.");
   CheckedBackup checked;
   for (const ParameterEntry& entry : backup.parameters) {
     const int i = catalog.find_param(entry.mnemonic);

@@ -62,7 +62,7 @@ class Stage {
   std::shared_ptr<SessionGroup> group_;
   std::optional<std::string_view> id_with_tool_;  ///< none: no track is kept
   std::optional<TrackTogether> track_;
-  Instant ready_at_{};            ///< all are connected and known
+  Instant ready_at_{};            ///< when all are connected and their state is known
   std::optional<Instant> began_;  ///< start of the work
   Instant piece_began_{};
   std::optional<Result<>> drawn_;
@@ -149,8 +149,8 @@ void Stage::look() {
   if (runs || more) seen_.duration_s = seconds(time_.now() - *began_);
 }
 
-/// The step of the controller that is furthest. A status round reports a step after its motion has begun. If
-/// it reports several at once, the motion is that of the first.
+/// The step of the controller that has come furthest. A status round reports a step after its motion has
+/// begun. If it reports several at once, the motion is that of the first.
 void Stage::look_at_steps() {
   RehearsedPieces::Arrival last;
   if (alone_.came_to.empty())
@@ -206,7 +206,7 @@ Result<> Stage::run(Duration at_most) {
   return {};
 }
 
-/// Prepares the controller as the user will have by then.
+/// Prepares the controller as the user will have done before the run.
 Task<Result<>> begin_alone(Session& session, std::shared_ptr<const Pieces> pieces) {
   for (const OpenLoop& loop : pieces->open_loops)
     if (auto opened = co_await session.perform(intent::SetParam(loop.parameter, 0)); !opened)

@@ -15,7 +15,7 @@ namespace hw {
 /// With the axes of catalog_together(); outputs are those of the controller that switches the tool. Each
 /// event marks the begin of a step, as an index in the sequence's own list.
 struct RehearsedTogether : Rehearsal {
-  std::vector<double> piece_seconds;  ///< of each finished piece, with the way to it
+  std::vector<double> piece_seconds;  ///< of each finished piece, with the travel to it
 };
 
 /// One controller's pieces, as far as they got in the allowed time.

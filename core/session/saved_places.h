@@ -21,7 +21,7 @@ using SavedPlaces = std::vector<SavedPlace>;  ///< in the order in which they we
 
 /// Null: no place of that name.
 const SavedPlace* find_place(const SavedPlaces& places, std::string_view name);
-/// Adds `place`, or replaces the one of its name; without axes, removes that one.
+/// Adds `place`, or replaces the place of that name. A place without axes removes it.
 void put_place(SavedPlaces& places, SavedPlace place);
 /// Positions or targets of all axes. A fault names an axis whose position is untrusted or unknown.
 Result<std::vector<AxisTarget>> standing_place(const Catalog& catalog, const Snapshot& now);

@@ -13,8 +13,9 @@ namespace hw {
 Result<std::shared_ptr<Session>> Session::open(Scheduler& scheduler, const Address& address,
                                                WireOpener opener, std::function<void()> wake) {
   if (address.ids().size() > 1)
-    return fail(FaultKind::text, fmt::format("{} are several controllers.", address.text()),
-                "Nothing was opened.", fmt::format("Here it takes one: id={}.", address.ids().front()));
+    return fail(FaultKind::text, fmt::format("{} names several controllers.", address.text()),
+                "Nothing was opened.",
+                fmt::format("Name one of them, for example id={}.", address.ids().front()));
   auto wire = std::make_shared<SharedWire>(scheduler, address, std::move(opener));
   return open_on(scheduler, address, std::move(wire), 0, std::move(wake));
 }
@@ -23,7 +24,7 @@ Result<std::shared_ptr<Session>> Session::open_on(Scheduler& scheduler, const Ad
                                                   std::shared_ptr<SharedWire> wire, std::size_t place,
                                                   std::function<void()> wake) {
   const DeviceType* type = find_device_type(address.model);
-  if (!type) return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", address.model));
+  if (!type) return fail(unknown_model(address.model));
   return open_as(*type, scheduler, address, std::move(wire), place, std::move(wake));
 }
 
@@ -167,7 +168,7 @@ static std::string why_all_ended(const Snapshot& s) {
   if (s.program.ended_by == EndedBy::limit && !axis_reports)
     return "A limit switch was hit while the program ran.";
   if (s.program.ended_by == EndedBy::elsewhere)
-    return "The program was ended from elsewhere: by the controller's Stop button or input.";
+    return "The program was ended by the controller's Stop button or input.";
   return {};
 }
 
@@ -179,13 +180,11 @@ static std::string why_axis_ended(const AxisState& axis, const std::string& name
     case EndedBy::elsewhere:
       if (axis.slipped)
         return because(
-            "has slipped, and was stopped because of that: its encoder and its position differ by more than "
-            "is "
+            "was stopped, because it has slipped: its encoder and its position differ by more than is "
             "allowed");
-      return because(
-          "was stopped from elsewhere: by the controller's Stop button or input, or by another program");
+      return because("was stopped by the controller's Stop button or input, or by another program");
     case EndedBy::error: return because("was ended by an error of the controller");
-    case EndedBy::lost: return because("was lost sight of while it moved");
+    case EndedBy::lost: return because("was moving when the console lost track of it");
     case EndedBy::not_in_place:
       return fmt::format("Axis {} did not reach its target: its encoder stands at {}, {} {} from there.",
                          name, axis.position.value, std::abs(axis.following_error().value),
@@ -209,7 +208,8 @@ std::string why_not_finished(const Snapshot& s, const Catalog& catalog) {
   if (std::string why = why_all_ended(s); !why.empty()) return why;
   if (const int i = axis_not_finished(s, catalog); i >= 0)
     return why_axis_ended(s.axes[i], catalog.axes[i].name, catalog);
-  if (s.program.ended_by == EndedBy::lost) return "The program was lost sight of while it ran.";
+  if (s.program.ended_by == EndedBy::lost)
+    return "The program was running when the console lost track of it.";
   return {};
 }
 
@@ -238,10 +238,12 @@ Task<Result<>> Session::wait_until_idle(Duration patience) {
       std::string reason = why_not_finished(s, catalog_);
       if (reason.empty()) reason = std::exchange(scripts_texts_.refused, {});
       if (reason.empty() && in_pieces && s.pieces.done < s.pieces.total)
-        reason = fmt::format("It ended in piece {} of {}. {}", s.pieces.done + 1, s.pieces.total,
+        reason = fmt::format("The run ended in piece {} of {}. {}", s.pieces.done + 1, s.pieces.total,
                              s.pieces.ended_because.view());
       if (reason.empty() && cut_off)
-        reason = "The controller was switched off and on, or reset, while something was under way.";
+        reason =
+            "The controller was switched off and on, or reset, while a motion, a program or a command was "
+            "under way.";
       if (reason.empty()) co_return Result<>();
       co_return fail(gone ? FaultKind::lost : FaultKind::controller, std::move(reason));
     }

@@ -71,7 +71,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Task<Result<>> wait_until_idle(Duration patience);
   Task<> close();
 
-  static constexpr std::size_t traffic_capacity = 1 << 14;  ///< seconds of the fastest wire
+  static constexpr std::size_t traffic_capacity = 1 << 14;  ///< some seconds of the fastest wire
 
  private:
   Session(Scheduler& scheduler, Address address, const DeviceType& type, Catalog catalog,
@@ -122,7 +122,7 @@ class Session : public std::enable_shared_from_this<Session> {
 
 /// Why a motion or program has not finished normally, as a sentence; empty: it has.
 std::string why_not_finished(const Snapshot& snapshot, const Catalog& catalog);
-/// The axis that it names; -1: none.
+/// The axis that this sentence names; -1: none.
 int axis_not_finished(const Snapshot& snapshot, const Catalog& catalog);
 
 }  // namespace hw

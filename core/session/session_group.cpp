@@ -11,7 +11,7 @@ namespace hw {
 // Checks all devices before any is opened.
 static Result<> check(const Address& address) {
   const DeviceType* type = find_device_type(address.model);
-  if (!type) return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", address.model));
+  if (!type) return fail(unknown_model(address.model));
   for (const Address& device : address.devices())
     if (const auto catalog = type->make_catalog(device.options); !catalog) return fail(catalog.error());
   return {};
@@ -116,7 +116,8 @@ Task<Result<>> SessionGroup::post_together(IntentBody request) {
   std::vector<Asked> all;
   for (std::size_t i = 0; i < members_.size(); ++i)
     if (members_[i]->known().pieces.running) all.push_back({i, members_[i]->post(request)});
-  if (all.empty()) co_return fail(FaultKind::refused, "They do nothing together now.", "Nothing was sent.");
+  if (all.empty())
+    co_return fail(FaultKind::refused, "These controllers run nothing together now.", "Nothing was sent.");
   co_return co_await outcomes(std::move(all));
 }
 

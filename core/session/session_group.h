@@ -36,7 +36,7 @@ class SessionGroup : public std::enable_shared_from_this<SessionGroup> {
   /// Runs a sequence whose axes are members' ids, from the step at `from_step`. Resumes when all that take
   /// part have begun; if one refuses, none begins, and the fault gives the reason.
   Task<Result<>> run_together(sequence::Sequence sequence, int from_step);
-  /// Sends a hold, its end or another speed to the members that run it.
+  /// Sends a hold, its end or another speed to the members that run the sequence.
   Task<Result<>> post_together(IntentBody request);
   /// Resumes when nothing moves or runs on any member.
   Task<Result<>> wait_until_idle(Duration patience);

@@ -1,6 +1,6 @@
 #pragma once
-// The wire of sessions that were opened together: opened when the first needs it, closed when the last has
-// left. A controller with a wire of its own is the only user. Io thread only.
+// The wire of sessions that were opened together. The first session that needs it opens it; it closes when
+// the last session has left. A controller with a wire of its own is the only user. Io thread only.
 #include <memory>
 #include <vector>
 

@@ -11,8 +11,9 @@ static bool same_rate(const LinkHealth& a, const LinkHealth& b) {
   return std::abs(x - y) <= 0.15f * std::max(x, y);
 }
 
-// All fields are named here and below, so that a new field does not compile until it is decided on. What was
-// under way when the link was lost, and when that was, comes with its state; counts come with the rate.
+// All fields are named here and below, so that code with a new field compiles only once it is decided whether
+// the user sees it. The motion under way at a loss, and its time, change only with the link's state; the
+// counts change with the rate.
 static bool same_link(const LinkHealth& a, const LinkHealth& b) {
   const auto& [state, round_trip, polls_per_second, misses_in_a_row, timeouts, unparsed_bytes, lost_at,
                next_attempt, attempts, sentence, when_lost, jog_ends] = a;

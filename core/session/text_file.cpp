@@ -94,7 +94,7 @@ Result<> save_text(const std::filesystem::path& path, const TextFile& file) {
   auto written = write_file(path, bytes);
   if (written) return written;
   Fault fault = std::move(written.error());
-  fault.done = "The text is kept here, and the old file is as it was.";
+  fault.done = "The text is kept here, and the old file is unchanged.";
   return fail(std::move(fault));
 }
 

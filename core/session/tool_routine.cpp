@@ -170,7 +170,8 @@ Result<> switches_back(const sequence::StepList& down, const sequence::StepList&
                 fmt::format("{} is switched {} with the tool, and nothing switches it back.", name,
                             state.last ? "on" : "off"),
                 {},
-                fmt::format("Add to what switches the tool off: {} {}.", name, state.last ? "off" : "on"));
+                fmt::format("Add this to the steps that switch the tool off: {} {}.", name,
+                            state.last ? "off" : "on"));
   }
   return {};
 }

@@ -16,18 +16,18 @@ namespace hw {
 /// A tool that an axis lowers, an output switches, or both.
 struct PlainTool {
   std::string axis;     ///< empty: none
-  double per_unit = 1;  ///< as PerUnit says it
+  double per_unit = 1;  ///< see PerUnit
   double down = 0, up = 0;
   std::optional<int> output;
-  double down_delay_ms = 0, up_delay_ms = 0;  ///< until it has acted
+  double down_delay_ms = 0, up_delay_ms = 0;  ///< until the output has acted
 };
 /// The tool is lowered before it is switched on, and switched off before it is lifted. Its axis is appended
 /// to `axes`.
 void put_tool(const PlainTool& tool, std::vector<sequence::Axis>& axes, sequence::StepList& pen_down,
               sequence::StepList& pen_up);
 
-/// Steps per unit of an axis. Below 0: the numbers count opposite to its steps, and are turned round in the
-/// moves, whose axis has the positive scale.
+/// Steps per unit of an axis. Negative: the numbers count opposite to its steps. The moves then have the
+/// opposite sign, and their axis has the positive scale.
 using PerUnit = std::function<double(const std::string& axis)>;
 
 /// Each move includes the wait for its end. An axis that does not draw is appended to `axes`, whose first two
@@ -35,7 +35,7 @@ using PerUnit = std::function<double(const std::string& axis)>;
 [[nodiscard]] Result<sequence::StepList> read_routine(std::string_view text, const Catalog& catalog,
                                                       const PerUnit& per_unit,
                                                       std::vector<sequence::Axis>& axes);
-/// Reads back as the same steps.
+/// The text of a routine; read_routine() returns the same steps.
 [[nodiscard]] std::string write_routine(const sequence::StepList& steps, const Catalog& catalog,
                                         const std::vector<sequence::Axis>& axes);
 

@@ -82,11 +82,11 @@ int write_all(int fd, std::string_view bytes) {
 std::string reason_of(int error_number) {
   switch (error_number) {
     case ENOSPC: return "the disk is full";
-    case EDQUOT: return "your share of the disk is used up";
+    case EDQUOT: return "your disk quota is used up";
     case EFBIG: return "the file would be larger than is allowed there";
     case EACCES:
     case EPERM: return "you have no permission";
-    case EROFS: return "the disk can only be read";
+    case EROFS: return "the disk is read-only";
     case ENOENT: return "there is no such folder";
     case EISDIR: return "it is a folder";
     case ENOTDIR: return "part of the path is not a folder";

@@ -7,7 +7,7 @@ namespace hw {
 
 using Duration = std::chrono::nanoseconds;
 
-struct SchedulerClock {  // names the time base; now() is asked of a Scheduler
+struct SchedulerClock {  // names the time base; a Scheduler has the now()
   using duration = Duration;
   using rep = duration::rep;
   using period = duration::period;

@@ -47,7 +47,7 @@ HybridScheduler::Turn HybridScheduler::virtual_turns(Instant until, const std::f
   return Turn::time;
 }
 
-/// Runs ready work until an alarm is due, as a babbling device always has some.
+/// Runs ready work until an alarm is due. A device that sends without a pause would always leave more work.
 void HybridScheduler::work_until_alarm(Instant until) {
   while (io().poll_one() > 0) {
     const Instant due = has_alarms() ? std::min(until, first_alarm()) : until;

@@ -52,7 +52,7 @@ class Scheduler {
   [[nodiscard]] Instant first_alarm() const { return heap_.front()->when_; }
   /// Fires each alarm that is due at `now`, earliest first.
   void fire_due(Instant now);
-  /// Called when the earliest alarm has become earlier.
+  /// Called when an alarm is armed that is earlier than all others.
   virtual void first_alarm_moved() = 0;
 
  private:

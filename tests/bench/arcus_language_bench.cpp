@@ -37,14 +37,15 @@ void compile_1275_lines(benchmark::State& state) {
   const std::string text = full_memory();
   for (auto _ : state) {
     const Compilation compiled = compile(text, pmx_4ex_sa());
-    if (!compiled.ok() || compiled.lines.size() != max_lines) return state.SkipWithError("not a full memory");
+    if (!compiled.ok() || compiled.lines.size() != program_lines)
+      return state.SkipWithError("not a full memory");
   }
 }
 BENCHMARK(compile_1275_lines)->Unit(benchmark::kMillisecond);
 
 void compile_1275_mistakes(benchmark::State& state) {
   std::string text;
-  for (int i = 0; i < max_lines; ++i) text += "HSPDD=1000\n";
+  for (int i = 0; i < program_lines; ++i) text += "HSPDD=1000\n";
   for (auto _ : state) benchmark::DoNotOptimize(compile(text, pmx_4ex_sa()));
 }
 BENCHMARK(compile_1275_mistakes)->Unit(benchmark::kMillisecond);

@@ -10,7 +10,7 @@ namespace {
 void log_line_off(benchmark::State& state) {
   log::Subject& link = log::subject("link");
   const std::string_view bytes = "PM-1\r";
-  for (auto _ : state) link.debug("no answer to \"{}\"", log::Bytes{bytes});
+  for (auto _ : state) link.debug("no reply to \"{}\"", log::Bytes{bytes});
 }
 BENCHMARK(log_line_off)->Unit(benchmark::kNanosecond);
 

@@ -64,7 +64,7 @@ drawing::ToolPath on_a_hill() {
   return path;
 }
 drawing::PathView from_a_corner(const drawing::ToolPath& path) {
-  const drawing::Projection projection(path.bounds, drawing::looking::iso, true);
+  const drawing::Projection projection(path.bounds, drawing::views::iso, true);
   return drawing::PathView(path.bounds, projection, canvas_width, canvas_height, true);
 }
 

@@ -1,4 +1,5 @@
 // Backlash on every controller: whatever way a move comes from, it ends the way that was chosen.
+#include "tests/contract/another_host.h"
 #include "tests/contract/rig.h"
 
 namespace hw {
@@ -53,34 +54,28 @@ TEST_P(BacklashContract, AStopDropsTheWayBack) {
   EXPECT_NE(axis().commanded(), Steps(300));
 }
 
-/// Asks for where it stands, and sets a speed for what comes; of each maker.
-std::pair<std::string, std::string> question_and_command(const Catalog& catalog) {
-  if (catalog.model == "vxm") return {"X", "B0\r"};
-  if (catalog.model == "vme58") return {"AX RP", "AX VL900"};
-  if (catalog.model == "twin") return {"?", "VA=300"};
-  return {"PX", "V7=3"};
-}
-
 TEST_P(BacklashContract, AQuestionInBetweenLeavesTheWayBackToCome) {
-  const auto [question, command] = question_and_command(session->catalog());
+  const WireTexts& text = wire_texts(GetParam()->model);
   lowest_on_the_way(to(800), 800);
   EXPECT_EQ(perform(to(300)).state, IntentState::done);
-  EXPECT_EQ(perform(intent::SendText(question)).state, IntentState::done);
+  EXPECT_EQ(perform(intent::SendText(std::string(text.question))).state, IntentState::done);
   ASSERT_TRUE(run_until([this] { return !now().pieces.running && !now().any_axis_moving(); }, seconds(60)));
   EXPECT_EQ(axis().commanded(), Steps(300));
   EXPECT_TRUE(now().pieces.ended_because.view().empty());
 }
 
 TEST_P(BacklashContract, ATextThatDoesSomethingEndsItAndThatIsReported) {
-  const auto [question, command] = question_and_command(session->catalog());
+  const WireTexts& text = wire_texts(GetParam()->model);
   lowest_on_the_way(to(800), 800);
   EXPECT_EQ(perform(to(300)).state, IntentState::done);
   const bool refused = session->catalog().can.one_axis_at_a_time;  // during a move
-  EXPECT_EQ(perform(intent::SendText(command)).state, refused ? IntentState::refused : IntentState::done);
+  EXPECT_EQ(perform(intent::SendText(std::string(text.setting))).state,
+            refused ? IntentState::refused : IntentState::done);
   ASSERT_TRUE(run_until([this] { return !now().pieces.running && !now().any_axis_moving(); }, seconds(60)));
   EXPECT_EQ(axis().commanded(), refused ? Steps(300) : Steps(240)) << "what was refused changed nothing";
-  if (!refused)
+  if (!refused) {
     EXPECT_THAT(std::string(now().pieces.ended_because.view()), testing::StartsWith("Repeat the move"));
+  }
 }
 
 TEST_P(BacklashContract, NothingElseMovesInBetween) {

@@ -128,7 +128,7 @@ TEST_P(ContractTest, WhatCameOfALostLinkIsReportedByTheirPlaces) {
   run(seconds(2));
   std::vector<std::string> places;
   session->notices().drain([&](const Notice& n) {
-    if (n.text.find("The connection was gone") != n.text.npos) places.push_back(n.text);
+    if (n.text.find("The connection was lost for") != n.text.npos) places.push_back(n.text);
   });
   ASSERT_EQ(places.size(), 1u);
   EXPECT_THAT(places[0], HasSubstr("It has finished meanwhile; "));
@@ -413,7 +413,7 @@ TEST_P(ContractTest, ARehearsalBeginsWhereTheAxesStand) {
   }
 }
 
-TEST_P(ContractTest, WithoutAnybodyWatchingItStaysGoodForAnHour) {
+TEST_P(ContractTest, UnwatchedItStaysGoodForAnHour) {
   run(std::chrono::hours(1));
   EXPECT_EQ(now().link.state, LinkState::good);
   EXPECT_EQ(now().link.timeouts, 0u);

@@ -23,13 +23,8 @@ class EndingContract : public ContractTest {
   }
   /// Another program on the wire stops the first axis with its ramp.
   void another_stops_it() {
-    const std::map<std::string_view, std::string> stops{{"vxm", "D"},
-                                                        {"pmx-4ex-sa", "@00STOPX\r"},
-                                                        {"dmx-k-sa", "@00STOP\r"},
-                                                        {"vme58", "AX;ST;"},
-                                                        {"twin", "0 S A\n"}};
     send_as_another(
-        io, *session, [this](Duration d) { run(d); }, stops.at(GetParam()->model));
+        io, *session, [this](Duration d) { run(d); }, std::string(wire_texts(GetParam()->model).stop));
   }
   Ending ends_by_another() {
     run(seconds(2));
@@ -68,7 +63,7 @@ TEST_P(EndingContract, AJogThatIsStoppedByEsc) {
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].what, Ending::What::jog);
   EXPECT_EQ(all[0].by, EndedBy::stop);
-  EXPECT_EQ(all[0].who, StoppedBy::key);
+  EXPECT_EQ(all[0].stopped_by, StoppedBy::key);
   EXPECT_TRUE(all[0].timed);
   EXPECT_LT(all[0].to_wire, Millis(100)) << "nothing is under way but a poll";
   EXPECT_GT(all[0].to_rest, all[0].to_wire);
@@ -142,7 +137,7 @@ TEST_P(EndingContract, AMoveThatATypedTextStops) {
   const auto all = endings();
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].by, EndedBy::stop);
-  EXPECT_EQ(all[0].who, StoppedBy::text);
+  EXPECT_EQ(all[0].stopped_by, StoppedBy::text);
 }
 
 TEST_P(EndingContract, AJogThatAnotherHostStops) {
@@ -200,7 +195,7 @@ TEST_P(EndingContract, AMotionOfAProgramThatAnotherHostStopsIsReportedWhereItsPl
   run(seconds(3));
   int motions = 0, programs = 0;
   for (const Ending& ending : endings()) {
-    EXPECT_EQ(ending.who, StoppedBy::unknown);
+    EXPECT_EQ(ending.stopped_by, StoppedBy::unknown);
     if (ending.what == Ending::What::program) {
       ++programs;
       EXPECT_EQ(ending.by, EndedBy::target) << "what comes behind it";

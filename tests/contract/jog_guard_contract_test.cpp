@@ -190,7 +190,7 @@ TEST_P(JogGuardContract, AProgramOfTheUsersTakesItsPlace) {
   EXPECT_EQ(now().program.run, RunState::idle);
 }
 
-TEST_P(JogGuardContract, ItsThreadIsNobodysElseOnlyWhileAJogIsHeld) {
+TEST_P(JogGuardContract, ItsThreadIsTheGuardsOnlyWhileAJogIsHeld) {
   ASSERT_NO_FATAL_FAILURE(install());
   ASSERT_NO_FATAL_FAILURE(jog(Millis(500)));
   EXPECT_EQ(now().program.run, RunState::idle);

@@ -72,7 +72,7 @@ class PiecesContractTest : public TruthTest {
   static constexpr int longest_chain = 100 * 20 + 100;
   int at_ = 0, output_ = -1;
 };
-INSTANTIATE_TEST_SUITE_P(Every, PiecesContractTest, testing::ValuesIn(types_under_test()), name_of_type);
+INSTANTIATE_TEST_SUITE_P(Every, PiecesContractTest, testing::ValuesIn(types_with_a_language()), name_of_type);
 
 TEST_P(PiecesContractTest, EachPieceFitsAndBeginsWhereTheOneBeforeEnds) {
   const auto pieces = long_one();
@@ -427,7 +427,7 @@ TEST_P(PiecesContractTest, ABufferThatTakesNoMoreMovesIsStoppedWithItsToolOff) {
   run(seconds(5));
   EXPECT_FALSE(now().pieces.running);
   EXPECT_FALSE(is_on());
-  EXPECT_THAT(reported(), HasSubstr("was not taken whole"));
+  EXPECT_THAT(reported(), HasSubstr("was not fully accepted"));
 }
 
 TEST_P(PiecesContractTest, ABufferNeedsLoopsOpenAndReportsThisBeforeAnythingMoves) {
@@ -442,7 +442,7 @@ TEST_P(PiecesContractTest, ABufferNeedsLoopsOpenAndReportsThisBeforeAnythingMove
   EXPECT_EQ(loops_in_the_way(*pieces, now()), 1u << loop.axis.index);
   const IntentOutcome asked = perform(intent::RunInPieces(pieces));
   EXPECT_EQ(asked.state, IntentState::refused);
-  EXPECT_THAT(std::string(asked.sentence.view()), HasSubstr("takes no moves then. Nothing was sent."));
+  EXPECT_THAT(std::string(asked.sentence.view()), HasSubstr("accepts no moves. Nothing was sent."));
   run(seconds(5));
   EXPECT_FALSE(now().pieces.running);
   EXPECT_EQ(axis().position, Steps(0));

@@ -162,7 +162,7 @@ const std::vector<Kind>& kinds() {
        {R, S, S, R}},
       {"tool down", [](auto&) { return seq::Pen{true}; }, {O, S, S, O}},
       {"tool up", [](auto&) { return seq::Pen{false}; }, {O, S, S, O}},
-      {"comment", [](auto&) { return seq::Comment{"what comes now"}; }, {O, O, O, O}},
+      {"comment", [](auto&) { return seq::Comment{"what comes next"}; }, {O, O, O, O}},
       {"loop",
        [](auto&) {
          return seq::Repeat{3, {{move(5, {}, true)}}};

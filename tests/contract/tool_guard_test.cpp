@@ -64,7 +64,7 @@ class ToolGuardTest : public TruthTest {
   seq::Sequence s_;
   int output_ = -1;
 };
-INSTANTIATE_TEST_SUITE_P(Every, ToolGuardTest, testing::ValuesIn(types_under_test()), name_of_type);
+INSTANTIATE_TEST_SUITE_P(Every, ToolGuardTest, testing::ValuesIn(types_with_a_language()), name_of_type);
 
 TEST_P(ToolGuardTest, AStopSwitchesItOff) {
   add_cut(60'000);

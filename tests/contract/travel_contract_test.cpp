@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(Every, TextTravelContract, testing::ValuesIn(types_unde
 
 TEST_P(TextTravelContract, ATypedTextThatLeadsPastALimitIsSentAndWarnedOf) {
   EXPECT_EQ(perform(intent::SendText(std::string(text_.moves))).state, IntentState::done);
-  EXPECT_THAT(warning(), AllOf(HasSubstr("This text leads past a limit: 900 "), HasSubstr(" lies 100 "),
+  EXPECT_THAT(warning(), AllOf(HasSubstr("This text moves past a limit: 900 "), HasSubstr(" lies 100 "),
                                HasSubstr(" past the + limit of "), HasSubstr("It was sent as it is.")));
   EXPECT_LT(stands(), plus) << "before it goes there";
   ASSERT_TRUE(run_until([this] { return stands() == Steps(900); }, seconds(60))) << "it goes anyway";
@@ -180,7 +180,7 @@ TEST_P(TextTravelContract, SoIsTheTextOfAScript) {
       }(*session, std::string(text_.moves), asked),
       asio::detached);
   ASSERT_TRUE(run_until([&] { return asked; }, seconds(10)));
-  EXPECT_THAT(warning(), HasSubstr("This text leads past a limit: 900 "));
+  EXPECT_THAT(warning(), HasSubstr("This text moves past a limit: 900 "));
 }
 
 TEST_P(TextTravelContract, WhatOneTextHasPreparedAndAnotherStartsIsKnown) {
@@ -190,7 +190,7 @@ TEST_P(TextTravelContract, WhatOneTextHasPreparedAndAnotherStartsIsKnown) {
   EXPECT_EQ(warning(), "");
   run(seconds(2));
   perform(intent::SendText(std::string(text_.moves.substr(start))));
-  EXPECT_THAT(warning(), HasSubstr("This text leads past a limit: 900 "));
+  EXPECT_THAT(warning(), HasSubstr("This text moves past a limit: 900 "));
   perform(intent::Stop());
   EXPECT_TRUE(becomes_idle(seconds(60)));
 }
@@ -204,7 +204,7 @@ TEST_P(TextTravelContract, OneThatStaysInsideOrLeadsBackIsNot) {
 
 TEST_P(TextTravelContract, AJogThatNothingEndsIsWarnedOf) {
   EXPECT_EQ(perform(intent::SendText(std::string(text_.jogs))).state, IntentState::done);
-  EXPECT_THAT(warning(), HasSubstr("This text leads past a limit: "));
+  EXPECT_THAT(warning(), HasSubstr("This text moves past a limit: "));
   perform(intent::Stop());
   EXPECT_TRUE(becomes_idle(seconds(60)));
 }
@@ -215,7 +215,7 @@ TEST_P(TextTravelContract, HoweverLongItIs) {
   while (text.size() < 600) text += text_.filler;
   if (GetParam()->model == "vxm") text = "I1M1,I1M-1,I1M1,I1M-1," + std::string(600, ' ');
   perform(intent::SendText((GetParam()->model == "vme58" ? "AX " : "") + text + std::string(text_.moves)));
-  EXPECT_THAT(warning(), HasSubstr("This text leads past a limit: 900 "));
+  EXPECT_THAT(warning(), HasSubstr("This text moves past a limit: 900 "));
   perform(intent::Stop());
   EXPECT_TRUE(becomes_idle(seconds(60)));
 }

@@ -40,9 +40,9 @@ class TrustContract : public ContractTest {
     run(time_to_run);
     ASSERT_GT(axis().position, Steps(100));
   }
-  void another_sends(const std::string& words) {
+  void another_sends(std::string_view bytes) {
     send_as_another(
-        io, *session, [this](Duration d) { run(d); }, words);
+        io, *session, [this](Duration d) { run(d); }, std::string(bytes));
   }
   /// Where no motion of a fifth of a second reaches; its encoder counts nothing there.
   void stand_far_out() {
@@ -173,7 +173,7 @@ TEST_P(TrustContract, ZeroWhereTheLastSessionLeftItElsewhereIsNotTrusted) {
   EXPECT_EQ(go_to(240).state, IntentState::refused);
 }
 
-TEST_P(TrustContract, WhatTheLastSessionHasKeptIsTakenForWhatNobodyKnowsBetter) {
+TEST_P(TrustContract, KeptPositionsAreUsedWhereTheControllerKnowsNone) {
   switch_motor_on();
   ASSERT_EQ(go_to(500).state, IntentState::done);
   const KeptPosition kept{true, Steps(500), {Trust::homed, Doubt::none, Instant{}}};
@@ -244,13 +244,8 @@ TEST_P(TrustContract, AProgramThatGoesToAPlaceIsNotStartedByItsCount) {
 }
 
 TEST_P(TrustContract, ACountThatAnotherProgramHasSetIsNotTrusted) {
-  const std::map<std::string_view, std::string> zero{{"vxm", "N"},
-                                                     {"pmx-4ex-sa", "@00PX=0\r"},
-                                                     {"dmx-k-sa", "@00PX=0\r"},
-                                                     {"vme58", "AX;LP0;"},
-                                                     {"twin", "0 P A 0\n"}};
   ASSERT_NO_FATAL_FAILURE(stand_far_out());
-  another_sends(zero.at(GetParam()->model));
+  another_sends(wire_texts(GetParam()->model).zero);
   run(seconds(4));
   ASSERT_EQ(axis().position, Steps(0));
   EXPECT_EQ(axis().trust.kind, Trust::untrusted);
@@ -280,14 +275,9 @@ TEST_P(TrustContract, TheCountOfAClosedLoopIsWatchedToo) {
 }
 
 TEST_P(TrustContract, AMoveOfAnotherProgramLeavesItsCountTrue) {
-  const std::map<std::string_view, std::string> short_move{{"vxm", "I1M100,R"},
-                                                           {"pmx-4ex-sa", "@00X4100\r"},
-                                                           {"dmx-k-sa", "@00X4100\r"},
-                                                           {"vme58", "AX;MR100;GO;"},
-                                                           {"twin", "0 D A 100\n"}};
   ASSERT_NO_FATAL_FAILURE(stand_far_out());
   const Steps before = axis().position;
-  another_sends(short_move.at(GetParam()->model));
+  another_sends(wire_texts(GetParam()->model).short_move);
   run(seconds(4));
   EXPECT_EQ(axis().position, before + Steps(100));
   EXPECT_FALSE(axis().trust.doubtful());

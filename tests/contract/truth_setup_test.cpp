@@ -43,7 +43,7 @@ TEST_P(TruthTest, AChangedParameterIsReadBackFromTheController) {
 }
 
 // Another session knows nothing of what this one has set.
-TEST_P(TruthTest, AChangedParameterIsReadBySomebodyElse) {
+TEST_P(TruthTest, AnotherSessionReadsAChangedParameter) {
   const std::vector<ParamInfo> params = session->catalog().params;
   for (const ParamInfo& p : params)
     if (const auto value = another_value(p)) perform(intent::SetParam(p.mnemonic, *value, true), seconds(60));
@@ -120,7 +120,7 @@ TEST_P(TruthTest, AfterAResetAPositionIsDoubted) {
   EXPECT_EQ(perform(intent::MoveTo({{id(0), Steps(240)}})).state, IntentState::refused);
 }
 
-TEST_P(TruthTest, WhetherAMotorHasPowerIsReadBySomebodyElse) {
+TEST_P(TruthTest, AnotherSessionReadsTheMotorPower) {
   if (!session->catalog().axes[0].switchable) GTEST_SKIP() << "its motors are always powered";
   for (int i = 0; i < axes(); ++i) {
     for (const bool on : {false, true}) {

@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\((.*?)\)\1"|"((?:[^"\\\n]|\\.)*)"|\'(?:[^\'\\]|\\.)*\'|\s+|.', re.S)
+TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\((.*?)\)\1"|"((?:[^"\\\n]|\\.)*)"|\'(?:[^\'\\]|\\.)*\'|\d[\w\']*|\s+|.', re.S)
 FOLDERS = ("core", "transports", "gui", "panels")
 
 

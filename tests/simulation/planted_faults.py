@@ -17,7 +17,7 @@ FAULTS = [
           ("device", "Pump::serve(", "StopOrder* stop = desk_.due()", "StopOrder* stop = jobs_.empty() ? desk_.due() : nullptr"),
           ("device", "Pump::serve(", "!desk_.any() && !jobs_.empty()", "!jobs_.empty()")),
     fault("the queue outlives a stop", ALL,
-          ("device", "Pump::drop_what_waits(", "refuse_queued(stopped_first);", ";")),
+          ("device", "Pump::drop_waiting_jobs(", "refuse_queued(stopped_first);", ";")),
     fault("the first stop is at once", ALL,
           ("device", "StopDesk::ask(", "may_escalate && again", "may_escalate")),
     fault("a repeated stop becomes a kill", ALL,
@@ -58,7 +58,7 @@ FAULTS = [
           ("device", "Pump::perform_next(", "set_outcome(job->intent.id, IntentState::done);",
            "if (!std::holds_alternative<intent::MoveBy>(job->intent.body)) set_outcome(job->intent.id, IntentState::done);")),
     fault("a question behind a stop is not answered", ALL,
-          ("device", "Pump::refuse(", "job->asker.resume(scheduler_.executor());", ";")),
+          ("device", "Pump::refuse(", "job->waiting_procedure.resume(scheduler_.executor());", ";")),
     fault("a text is lost and told to be done", ALL,
           ("device", "Pump::perform_next(", "{",
            "if (desk_.epoch() % 8 == 7 && !jobs_.empty()) { auto job = jobs_.begin(); jobs_.end(); if (!job->is_query) {"
@@ -76,7 +76,7 @@ FAULTS = [
     fault("what stopped waiting still waits", ALL,
           ("link", "Station::preempt(", "ended_.notify();", ";")),
     fault("a stop waits for a patient question", ("vxm", "pmx-4ex-sa"),
-          ("link", "Link::hurry_for_a_stop(", "{", "if (true) return;")),
+          ("link", "Link::shorten_for_stop(", "{", "if (true) return;")),
     fault("what waits outlives a stop", "dmx-k-sa --bus",  # alone on its wire a station waits for nobody
           ("link", "Station::preempt(", "link_->drop_waiting(*this, stop_came_first());", ";")),
     # ---- VXM
@@ -117,9 +117,9 @@ FAULTS = [
     fault("VME58: a stop of one axis is not put", "vme58",
           ("devices/vme58", "Stops::stop_axis(", "{", "if (true) co_return true;")),
     fault("VME58: a deaf mailbox is believed (row 5)", "vme58",
-          ("devices/vme58", "AllStop::send(", "mailbox_deaf_ || by_mail_alone_ || !any_moves()", "by_mail_alone_")),
+          ("devices/vme58", "AllStop::send(", "mailbox_ignores_mail_ || by_mail_alone_ || !any_moves()", "by_mail_alone_")),
     fault("VME58: a late reply is the next one's", "vme58",
-          ("devices/vme58", "Conversation::let_owed_go(", "{", NOTHING_DONE),
+          ("devices/vme58", "Conversation::wait_for_abandoned(", "{", NOTHING_DONE),
           ("devices/vme58", "Conversation::ask_several(", "converse(std::move(closed), count, priority, form, Millis(200), true)",
            "converse(std::string(text), count, priority, form, Millis(200), false)")),
     fault("VME58: what waits in the ring outlives a stop", "vme58",

@@ -80,7 +80,7 @@ Stage::Stage(const Plan& plan)
 
 // The sessions end before what they are made of.
 Stage::~Stage() {
-  hands_.clear();
+  bench_schedule_.clear();
   group_.reset();
   closing_.clear();
   io_.restart();
@@ -170,7 +170,7 @@ void Stage::open() {
 void Stage::close() {
   opens_later_ = false;
   if (!group_) return;
-  for (const auto& hand : hands_) hand->holds = false;
+  for (const auto& hand : bench_schedule_) hand->holds = false;
   judge_.closing();
   const auto call = judge_.call_begun("close", Judge::longest_close);
   for (std::size_t i = 0; i < group_->members().size(); ++i)
@@ -302,7 +302,7 @@ void Stage::run_together(int ways, int lines) {
 
 void Stage::stop(int device, std::uint32_t axes, StopKind kind, IntentBody body) {
   if (session(device) == nullptr) return;
-  for (const auto& hand : hands_)
+  for (const auto& hand : bench_schedule_)
     if (hand->device == device && (axes >> hand->axis.index & 1u) != 0) hand->holds = false;
   judge_.stop_asked(device, axes, kind);
   judge_.stop_sent(device, sent_ = session(device)->send(std::move(body)));
@@ -310,7 +310,7 @@ void Stage::stop(int device, std::uint32_t axes, StopKind kind, IntentBody body)
 
 void Stage::stop_all_devices(bool at_once) {
   if (!group_) return;
-  for (const auto& hand : hands_) hand->holds = false;
+  for (const auto& hand : bench_schedule_) hand->holds = false;
   for (int device = 0; device < static_cast<int>(group_->members().size()); ++device)
     judge_.stop_asked(device, Judge::all_axes, at_once ? StopKind::at_once : StopKind::ramp);
   const std::vector<IntentId> ids = group_->stop(at_once);
@@ -320,11 +320,11 @@ void Stage::stop_all_devices(bool at_once) {
 
 void Stage::jog(int device, AxisId axis, Sign sign, Duration held, LetGo how) {
   if (session(device) == nullptr) return;
-  for (const auto& hand : hands_) hand->move_on();  // there is one
+  for (const auto& hand : bench_schedule_) hand->move_on();  // there is one
   const IntentId id = move(device, 1u << axis.index, Steps(), intent::JogStart(axis, sign));
-  std::erase_if(hands_, [](const auto& hand) { return !hand->holds; });
-  hands_.push_back(std::make_unique<Hand>(*this, device, axis, id, now() + held, how));
-  hands_.back()->timer.arm(now() + std::min(held, frame_period));
+  std::erase_if(bench_schedule_, [](const auto& hand) { return !hand->holds; });
+  bench_schedule_.push_back(std::make_unique<Hand>(*this, device, axis, id, now() + held, how));
+  bench_schedule_.back()->timer.arm(now() + std::min(held, frame_period));
 }
 
 void Stage::stop_closing(int device, std::string text) {

@@ -99,7 +99,7 @@ class Stage {
   IntentId sent_ = 0;         ///< last
   int closing_now_ = 0;       ///< of those, they that still hold the port, which is opened exclusively
   bool opens_later_ = false;  ///< when it is free
-  std::vector<std::unique_ptr<Hand>> hands_;
+  std::vector<std::unique_ptr<Hand>> bench_schedule_;
   std::unique_ptr<Timer> plug_in_;
   std::vector<std::unique_ptr<Timer>> power_;
 };

@@ -49,7 +49,7 @@ TEST(Misread, NeverHangsAndNeverReadsRightAtAnotherRate) {
                   std::string(1, static_cast<char>(byte)));
 }
 
-TEST(Collided, NobodyElseMeansNoCollision) { EXPECT_EQ(collided("1234\r", ""), "1234\r"); }
+TEST(Collided, NoOtherSenderMeansNoCollision) { EXPECT_EQ(collided("1234\r", ""), "1234\r"); }
 
 TEST(Collided, EqualAnswersAreGarbledToo) {
   EXPECT_NE(collided("OK\r", "OK\r"), "OK\r");

@@ -89,14 +89,14 @@ TEST_F(SearchOnALine, FindsEachDeviceWithItsIdAndRate) {
   }
 }
 
-TEST_F(SearchOnALine, WhereNobodyAnswersNothingIsFound) {
+TEST_F(SearchOnALine, WithoutAnAnswerNothingIsFound) {
   serve({"07"});
   EXPECT_TRUE(search(what({38400}, 20, 23)).empty());
   EXPECT_TRUE(reported.empty());
   EXPECT_EQ(last.asked, 3) << "told before the last of four";
 }
 
-TEST_F(SearchOnALine, IsEndedByWhoeverWantsIt) {
+TEST_F(SearchOnALine, IsEndedByItsCaller) {
   serve({"07", "11"});
   end_it = [](const SearchProgress& at) { return at.id == "09"; };
   const auto found = search(what({38400}, 5, 99));

@@ -455,7 +455,7 @@ TEST_F(DmxBus, TwoWithOneNameAreNotTakenForADevice) {
 // Replies carry no address: what comes late looks like the answer to the question that is asked just then.
 class LateAnswers : public DmxBus, public testing::WithParamInterface<int> {};
 
-TEST_P(LateAnswers, AreTakenForNobodyElses) {
+TEST_P(LateAnswers, AreNotTakenForAnotherDevices) {
   build_and_connect(4);
   std::vector<std::string> wrong;
   for (std::size_t i = 0; i < members.size(); ++i) {

@@ -167,8 +167,8 @@ TEST_P(DrawingUnanswered, EndsItThere) {
   EXPECT_GE(now.rest_step, pieces->all[1].first_step);
   EXPECT_LT(now.rest_step, pieces->all[2].first_step);
   const bool noticed_at_once = GetParam().silence == 0s;
-  EXPECT_THAT(reports,
-              testing::HasSubstr(noticed_at_once ? "Nothing follows it." : "The connection was gone"));
+  EXPECT_THAT(reports, testing::HasSubstr(noticed_at_once ? "No further piece is sent."
+                                                          : "The connection was lost for"));
 }
 
 }  // namespace

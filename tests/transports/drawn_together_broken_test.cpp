@@ -46,8 +46,11 @@ class DrawingOfTwo : public testing::Test {
     run(5);
   }
   ~DrawingOfTwo() override {
-    asio::co_spawn(time.executor(), group->close(), asio::detached);
-    run(5);
+    bool closed = false;  // one that answers no more is waited for
+    asio::co_spawn(time.executor(), group->close(),
+                   [&closed](std::exception_ptr, auto&&...) { closed = true; });
+    EXPECT_TRUE(time.run_until(time.now() + std::chrono::minutes(1), [&closed] { return closed; }));
+    run(1);
   }
   void run(double s) { time.run_for(from_seconds(s)); }
   [[nodiscard]] Session& member(std::size_t n) const { return *group->members()[n]; }

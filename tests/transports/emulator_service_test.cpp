@@ -52,9 +52,9 @@ TEST_F(ServedEmulator, AnswersOverTcpAndCountsItsClients) {
   Ear ear(*client);
   client->send("X");
   EXPECT_TRUE(received(ear, 9)) << ear.received;
-  EXPECT_EQ(service->clients(), 1);
+  EXPECT_EQ(counted, (std::vector<int>{1}));
   client.reset();
-  EXPECT_TRUE(poll_until(io, [&] { return service->clients() == 0; }));
+  EXPECT_TRUE(poll_until(io, [&] { return counted.size() > 1; }));
   EXPECT_EQ(counted, (std::vector<int>{1, 0}));
 }
 
@@ -64,7 +64,7 @@ TEST_F(ServedEmulator, AnswersOnAPseudoTerminalAsOnASerialPort) {
   Ear ear(*port);
   port->send("X");
   EXPECT_TRUE(received(ear, 9)) << ear.received;
-  EXPECT_EQ(service->clients(), 0) << "who is at a terminal cannot be counted";
+  EXPECT_TRUE(counted.empty()) << "who is at a terminal cannot be counted";
 }
 
 TEST_F(ServedEmulator, SendsEverybodyAwayWhenItEnds) {
@@ -85,7 +85,7 @@ TEST_F(ServedEmulator, SendsEverybodyAwayWhenItEnds) {
 }
 
 TEST_F(ServedEmulator, OfABusEveryDeviceAnswers) {
-  host = *host_of_its_own(clock, *Address::parse("dmx-k-sa@emulator,id=01-02"));
+  host = *make_private_host(clock, *Address::parse("dmx-k-sa@emulator,id=01-02"));
   ASSERT_EQ(host->device_count(), 2u);
   service = start({0, {}});
   auto client = *run_task(io, open_tcp(clock, service->address()));

@@ -93,7 +93,7 @@ TEST_F(PtyEndpoint, EachOfTwoClientsIsServed) {
   ::close(b);
 }
 
-TEST_F(PtyEndpoint, WhatIsSentWithNobodyThereIsLost) {
+TEST_F(PtyEndpoint, BytesWithoutAReaderAreLost) {
   serve();
   int fd = open_client();
   ASSERT_EQ(::write(fd, "M", 1), 1);  // the prompt comes 100 ms later

@@ -175,7 +175,7 @@ TEST_F(Serial, ThePermissionSentenceNamesGroupAndCommand) {
   EXPECT_NE(sentence.find("log out and in again"), std::string::npos);
 }
 
-TEST_F(Serial, NobodyIsAdvisedToJoinAGroupThatHasNoRights) {
+TEST_F(Serial, AGroupWithoutRightsIsNotAdvised) {
   if (::geteuid() != 0) GTEST_SKIP() << "needs root to take the rights away";
   ASSERT_EQ(::chown(port.c_str(), 0, 0), 0);
   ASSERT_EQ(::chmod(port.c_str(), 0600), 0);
@@ -242,7 +242,7 @@ TEST_F(Serial, AFloodArrivesWhole) {
   EXPECT_TRUE(whole);
 }
 
-TEST(PortHolder, KnowsNothingOfWhatNobodyHolds) {
+TEST(PortHolder, NamesNoHolderOfAFreePort) {
   EXPECT_EQ(port_holder("/dev/full", "/proc/self/no-such-folder"), "");
   EXPECT_EQ(port_holder("/dev/ttyUSB77"), "");
 }

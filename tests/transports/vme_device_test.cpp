@@ -74,7 +74,7 @@ TEST_F(VmeDeviceTest, AFileOfFourKibIsTheWindowItself) {
   EXPECT_EQ(contents()[0xFFF], 7);
 }
 
-TEST_F(VmeDeviceTest, OutsideTheWindowNobodyAnswers) {
+TEST_F(VmeDeviceTest, OutsideTheWindowThereIsNoAnswer) {
   make_file(0x1000);
   auto window = open_vme_device(clock, path, 0);
   ASSERT_TRUE(window);

@@ -47,7 +47,7 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
   }
   [[nodiscard]] std::optional<Instant> next_event() const override {
     std::optional<Instant> next = inner_->next_event();
-    for (const auto& other : {hands_.next(), next_look()})
+    for (const auto& other : {bench_schedule_.next(), next_look()})
       if (other && (!next || *other < *next)) next = other;
     return next;
   }
@@ -74,7 +74,7 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
  private:
   void step(Instant to) {
     inner_->advance_to(reached_ = to);
-    hands_.act_until(reached_, *inner_);
+    bench_schedule_.act_until(reached_, *inner_);
     look_at_it();
     for (auto due = next_look(); due && *due <= reached_; due = next_look()) {
       BenchView view;
@@ -100,8 +100,8 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
     armed_ = false;
     const auto late = tick_ > Duration{} ? reached_.time_since_epoch() % tick_ : Duration{};
     began_ = late > Duration{} ? reached_ + (tick_ - late) : reached_;
-    hands_.count_from(*began_);
-    (void)hands_.begin(file_, *inner_);
+    bench_schedule_.count_from(*began_);
+    (void)bench_schedule_.begin(file_, *inner_);
   }
 
   BenchFile file_;
@@ -109,7 +109,7 @@ class WatchedRun final : public EmulatorAround, public BusTarget {
   Duration tick_{};
   bool armed_ = false, answers_waits_ = false;
   Instant reached_{};
-  BenchSchedule hands_;
+  BenchSchedule bench_schedule_;
   std::optional<Instant> began_, ended_;
   MachineTruth truth_;
   std::vector<Look> looks_;

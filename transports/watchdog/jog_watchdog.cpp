@@ -21,7 +21,7 @@ namespace {
 using watchdog::Kind;
 using watchdog::Message;
 
-// The watchdog's clock: includes time asleep.
+// The watchdog's clock, which includes the time that the computer sleeps.
 std::int64_t boot_time_ms() {
   timespec now{};
   ::clock_gettime(CLOCK_BOOTTIME, &now);
@@ -29,13 +29,13 @@ std::int64_t boot_time_ms() {
 }
 
 constexpr std::array fatal_signals{SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT};
-std::atomic<int> dying_to{-1};
+std::atomic<int> crash_socket{-1};
 std::array<struct sigaction, fatal_signals.size()> handled_before;
 
 // Async-signal-safe. Restores the previous handler and raises the signal again.
 void notify_watchdog(int number) {
   const char word = static_cast<char>(Kind::dying);
-  (void)::send(dying_to, &word, 1, MSG_NOSIGNAL | MSG_DONTWAIT);
+  (void)::send(crash_socket, &word, 1, MSG_NOSIGNAL | MSG_DONTWAIT);
   for (std::size_t i = 0; i < fatal_signals.size(); ++i)
     if (fatal_signals[i] == number) ::sigaction(number, &handled_before[i], nullptr);
   ::raise(number);
@@ -46,7 +46,7 @@ bool spawn(const std::string& program, int socket) {
   posix_spawnattr_t how;
   if (::posix_spawn_file_actions_init(&files) != 0) return false;
   if (::posix_spawnattr_init(&how) != 0) return ::posix_spawn_file_actions_destroy(&files), false;
-  ::posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSID);  // keys of the terminal reach the console alone
+  ::posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSID);  // keys of the terminal reach only the console
   for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     ::posix_spawn_file_actions_addopen(&files, standard, "/dev/null", O_RDWR, 0);
   ::posix_spawn_file_actions_adddup2(&files, socket, watchdog::socket_number);
@@ -66,12 +66,12 @@ struct JogWatchdog::Talk {
   bool dead = false;
   int wills = 0;
   std::int64_t sent_at_ms = 0;
-  bool was_silent = false;  ///< since the first of the present wills
+  bool was_silent = false;  ///< the watchdog was silent since the first of the present wills
 
   explicit Talk(int s) : socket(s) {}
   ~Talk() {
     int expected = socket;
-    dying_to.compare_exchange_strong(expected, -1);
+    crash_socket.compare_exchange_strong(expected, -1);
     ::close(socket);
   }
 
@@ -101,9 +101,9 @@ struct JogWatchdog::Talk {
 };
 
 /// Sends `alive` as long as the will exists.
-class JogWatchdog::Left final : public Will {
+class JogWatchdog::ActiveWill final : public Will {
  public:
-  Left(std::shared_ptr<Talk> talk, Scheduler& scheduler, const Message& will, int fd)
+  ActiveWill(std::shared_ptr<Talk> talk, Scheduler& scheduler, const Message& will, int fd)
       : talk_(std::move(talk)),
         scheduler_(scheduler),
         id_(will.id),
@@ -113,15 +113,15 @@ class JogWatchdog::Left final : public Will {
     ++talk_->wills;
     send_later();
   }
-  ~Left() override {
+  ~ActiveWill() override {
     Message back;
     back.kind = Kind::taken_back;
     back.id = id_;
     talk_->send(back);
     --talk_->wills;
   }
-  Left(const Left&) = delete;
-  Left& operator=(const Left&) = delete;
+  ActiveWill(const ActiveWill&) = delete;
+  ActiveWill& operator=(const ActiveWill&) = delete;
   [[nodiscard]] bool may_be_carried_out() const override { return talk_->is_silent(); }
 
  private:
@@ -159,7 +159,7 @@ bool JogWatchdog::is_there() const {
 }
 
 void JogWatchdog::report_fatal_signals() const {
-  dying_to = talk_->socket;
+  crash_socket = talk_->socket;
   struct sigaction action {};
   action.sa_handler = notify_watchdog;
   for (std::size_t i = 0; i < fatal_signals.size(); ++i)
@@ -180,7 +180,7 @@ std::shared_ptr<WillKeeper::Will> JogWatchdog::leave(Scheduler& scheduler, const
     for (const BusCycle& cycle : words.cycles) append_bus_message(bytes, cycle);
     message.words.push_back({static_cast<std::uint32_t>(words.after.count()), std::move(bytes)});
   }
-  auto left = std::make_shared<Left>(talk_, scheduler, message, wire.fd);
+  auto left = std::make_shared<ActiveWill>(talk_, scheduler, message, wire.fd);
   if (talk_->dead) return nullptr;
   return left;
 }

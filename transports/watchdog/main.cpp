@@ -1,5 +1,5 @@
-// The watchdog of held jogs. It knows no protocol: it keeps the last bytes that the console deposits before
-// each held jog, and sends them when the console has died or is silent. It ends with the console.
+// The watchdog of held jogs. It knows no protocol. It keeps the bytes that the console deposits before each
+// held jog, its will, and sends them when the console has died or is silent. It ends with the console.
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
@@ -17,14 +17,14 @@
 namespace hw::watchdog {
 namespace {
 
-// Includes time asleep.
+// Includes the time that the computer sleeps.
 std::int64_t now_ms() {
   timespec now{};
   ::clock_gettime(CLOCK_BOOTTIME, &now);
   return now.tv_sec * std::int64_t{1000} + now.tv_nsec / 1'000'000;
 }
 
-class Wills {
+class WillStore {
  public:
   void take(Message will, int fd) {
     drop(will.id);
@@ -38,7 +38,7 @@ class Wills {
   }
   [[nodiscard]] bool any() const { return !kept_.empty(); }
 
-  // Sends the first bytes of every will before any delay.
+  // Sends the first bytes of all wills before any delay.
   void carry_out() {
     struct Due {
       const Words* words;
@@ -66,7 +66,7 @@ class Wills {
   std::map<std::uint32_t, Kept> kept_;
 };
 
-// Null: the console is gone.
+// Receives a message. Returns false when the console has ended.
 bool receive(std::string& bytes, int& fd) {
   bytes.resize(longest_message);
   fd = -1;
@@ -87,7 +87,7 @@ bool receive(std::string& bytes, int& fd) {
   return true;
 }
 
-void obey(Wills& wills, const std::string& bytes, int fd) {
+void obey(WillStore& wills, const std::string& bytes, int fd) {
   auto message = decode(bytes);
   if (message && message->kind == Kind::will) return wills.take(std::move(*message), fd);
   if (fd >= 0) ::close(fd);
@@ -97,7 +97,7 @@ void obey(Wills& wills, const std::string& bytes, int fd) {
 }
 
 int watch() {
-  Wills wills;
+  WillStore wills;
   std::string bytes;
   for (std::int64_t received_at = now_ms();;) {
     const std::int64_t left = received_at + longest_silence_ms - now_ms();
@@ -125,6 +125,6 @@ int main() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU})
     std::signal(number, SIG_IGN);
   ::close_range(hw::watchdog::socket_number + 1, ~0U, 0);
-  ::mlockall(MCL_CURRENT | MCL_FUTURE);  // never wait for the disk; optional, needs permission
+  ::mlockall(MCL_CURRENT | MCL_FUTURE);  // so that it never waits for the disk; optional, needs permission
   return hw::watchdog::watch();
 }

@@ -71,7 +71,7 @@ Task<Result<>> Actions::clear_errors(std::string_view form, int axis) {
   co_return co_await status_.read_loops(Priority::intent);
 }
 
-// The ramp takes the acceleration time: a given one is written for this change and restored.
+// The ramp takes the acceleration time: a given ramp time is written for this change and restored afterwards.
 Task<Result<>> Actions::change_speed(int axis, std::int64_t speed, std::int64_t accel_ms) {
   if (accel_ms > 0) {
     std::string name(console_.forms.accel);
@@ -90,7 +90,8 @@ Task<Result<>> Actions::change_speed(int axis, std::int64_t speed, std::int64_t 
   auto returned = co_await borrowed_.give_back();
   if (changed && !returned) co_return returned;
   if (!changed && changed.error().kind == FaultKind::refused)
-    changed.error().advice = "Choose the window before the motion begins; the axis must be moving.";
+    changed.error().advice =
+        "Choose the window before the motion begins, then change the speed while the axis moves.";
   co_return changed;
 }
 
@@ -116,7 +117,6 @@ Task<Result<>> Actions::draw_arc(std::int64_t centre_x, std::int64_t centre_y, s
     co_return fail(FaultKind::refused,
                    "Arcs and circles need absolute mode, and the controller is in incremental mode.",
                    "Nothing was sent.", "Choose absolute mode first.");
-  constexpr std::int64_t full_turn = 360'000;
   const bool circle = sweep == full_turn || sweep == -full_turn;
   std::string text =
       fmt::format("{}{}{}:{}", circle ? "CIR" : "ARC", sweep < 0 ? 'P' : 'N', centre_x, centre_y);
@@ -126,7 +126,7 @@ Task<Result<>> Actions::draw_arc(std::int64_t centre_x, std::int64_t centre_y, s
     const auto y = co_await moves_.ask_position(1);
     if (!y) co_return fail(y.error());
     const double begin = std::atan2(static_cast<double>(*y - centre_y), static_cast<double>(*x - centre_x));
-    const std::int64_t from = full_turn / 2 - std::llround(begin * 180'000 / std::numbers::pi);
+    const std::int64_t from = full_turn / 2 - std::llround(begin * (full_turn / 2) / std::numbers::pi);
     const std::int64_t end = ((from - sweep) % full_turn + full_turn) % full_turn;
     text += fmt::format(":{}:{}", end, std::abs(sweep));
   }
@@ -134,8 +134,8 @@ Task<Result<>> Actions::draw_arc(std::int64_t centre_x, std::int64_t centre_y, s
   auto started = co_await moves_.start(std::move(text), std::move(axes), Activity::moving);
   if (!started && started.error().kind == FaultKind::refused && started.error().advice.empty())
     started.error().advice = fmt::format(
-        "The radius must be from 1 to {} pulses, and StepNLoop of X and Y off, or on for both with one "
-        "ratio.",
+        "The radius must be 1 to {} pulses. StepNLoop of X and Y must be off for both, or on for both with "
+        "the same ratio.",
         max_radius);
   co_return started;
 }

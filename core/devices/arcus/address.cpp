@@ -19,7 +19,8 @@ Result<int> id_option(const DeviceOptions& options, const Model& model) {
     const int id = (text[0] - '0') * 10 + text[1] - '0';
     if (id != model.broadcast) return id;
     return fail(FaultKind::text,
-                fmt::format("id={} addresses every {} on the line, and none answers.", text, model.title),
+                fmt::format("id={} is the address of every {} on the line, and no device replies to it.",
+                            text, model.title),
                 "Nothing was opened.", "Give the two digits of one device's name, 01 to 99.");
   }
   return fail(FaultKind::text, fmt::format("id={} is not a device address.", text), "Nothing was opened.",

@@ -15,12 +15,12 @@ Task<Result<>> AfterSilence::look() {
     seen.error().done = "Nothing was sent.";
   }
   if (!seen) co_return seen;
-  co_return fail(FaultKind::refused, "The controller was switched off and on, and is in another state now.",
+  co_return fail(FaultKind::refused, "The controller was switched off and on, so its state has changed.",
                  "Nothing was sent.", "Check its positions before you try again.");
 }
 
-// An unanswered stop when the wire was lost explains no zero; an unanswered switching of motor power may have
-// been done.
+// A stop that was unanswered when the wire was lost does not explain a counter at zero. An unanswered
+// switching of motor power may have taken effect.
 Task<Result<>> AfterSilence::look_back_over_the_loss() {
   if (watch_.program_ran()) threads_.program_runs();  // perhaps until just now
   watch_.settle();

@@ -10,7 +10,7 @@ Task<Result<>> BorrowedSetting::borrow(std::string name, std::int64_t value,
                                        std::optional<std::int64_t> shown) {
   const auto is_it = [&name](const Borrowed& one) { return one.name == name; };
   Conversation::Decode decode = decode_number;
-  auto before = co_await conversation_.ask_surely(name, std::move(decode), shown, Priority::intent);
+  auto before = co_await conversation_.ask_confirmed(name, std::move(decode), shown, Priority::intent);
   if (!before) co_return fail(before.error());
   if (*before == value) co_return Result<>();
   if (const auto out = std::find_if(borrowed_.begin(), borrowed_.end(), is_it); out != borrowed_.end())
@@ -34,7 +34,7 @@ Task<Result<>> BorrowedSetting::give_back_last() {
   if (last.left_alone) {
     Conversation::Decode decode = decode_number;
     auto present =
-        co_await conversation_.ask_surely(last.name, std::move(decode), last.for_now, Priority::intent);
+        co_await conversation_.ask_confirmed(last.name, std::move(decode), last.for_now, Priority::intent);
     if (!present) co_return fail(present.error());
     const bool anothers = *present != last.for_now;
     if (anothers && is_out()) borrowed_.pop_back();
@@ -49,7 +49,7 @@ Task<Result<>> BorrowedSetting::give_back_last() {
   co_return set;
 }
 
-// A digit doubled on the line still leaves a number, and this setting is not read again before the next
+// A digit doubled on the line still leaves a valid number, and this setting is not read again before the next
 // motion.
 Task<Result<>> BorrowedSetting::put_back(Borrowed setting) {
   constexpr int attempts = 3;
@@ -57,8 +57,8 @@ Task<Result<>> BorrowedSetting::put_back(Borrowed setting) {
     auto set = co_await conversation_.command(set_command(setting.name, setting.before), Priority::intent);
     if (!set) co_return set;
     Conversation::Decode decode = decode_number;
-    auto present =
-        co_await conversation_.ask_surely(setting.name, std::move(decode), setting.before, Priority::intent);
+    auto present = co_await conversation_.ask_confirmed(setting.name, std::move(decode), setting.before,
+                                                        Priority::intent);
     if (!present) co_return fail(present.error());
     if (*present == setting.before) co_return Result<>();
   }
@@ -79,8 +79,9 @@ Task<Result<>> BorrowedSetting::give_back_first() {
 std::string BorrowedSetting::leaves_behind() const {
   std::string all;
   for (const Borrowed& one : borrowed_)
-    all += fmt::format("{0}{1} is {2} for one motion; it was {3}. Set {1}={3} before the next one.",
-                       all.empty() ? "" : " ", one.name, one.for_now, one.before);
+    all +=
+        fmt::format("{0}Set {1}={3} before the next motion: {1} is still {2}, which was for one motion only.",
+                    all.empty() ? "" : " ", one.name, one.for_now, one.before);
   return all;
 }
 

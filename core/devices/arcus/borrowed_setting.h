@@ -12,7 +12,7 @@ namespace hw::arcus {
 
 class BorrowedSetting {
  public:
-  /// `given_back` gets the name: the last reading may be the borrowed value.
+  /// `given_back` is called with the name: the value last read may be the borrowed one.
   BorrowedSetting(Conversation& conversation, std::function<void(std::string_view name)> given_back)
       : conversation_(conversation), given_back_(std::move(given_back)) {}
 

@@ -36,9 +36,9 @@ std::vector<OutputInfo> output_infos(const Model& model) {
     for (int axis = 0; axis < model.axes(); ++axis)
       if (model.sync_outputs[static_cast<std::size_t>(axis)] == n) {
         const bool several = model.axes() > 1;
-        output.help = fmt::format(
-            "Digital output. While the sync output of {} is on, the controller switches it, and you cannot.",
-            axis_letter(model, axis));
+        output.help =
+            fmt::format("Digital output. While the sync output of {} is on, only the controller switches it.",
+                        axis_letter(model, axis));
         output.duty.name = several ? "Sync " + axis_letter(model, axis) : "Sync output";
         output.duty.while_not_zero = {several ? fmt::format("SYN{}S", axis_letter(model, axis)) : "SYNS"};
       }
@@ -240,7 +240,7 @@ void add_common_readouts(Catalog& catalog, const Model& model) {
 
 namespace {
 
-/// Adds them in the order in which the console shows them.
+/// Adds the actions in the order in which the console shows them.
 struct CommonActions {
   Catalog& catalog;
   const Model& model;
@@ -272,7 +272,7 @@ struct CommonActions {
     actions.back().sets_to = 1;
   }
 
-  /// One field for the changes of all axes: the ramp seldom differs from the set value.
+  /// One field for the speed changes of all axes, as the ramp seldom differs from the set value.
   [[nodiscard]] ActionField accel_field() const {
     ActionField f = number_field("accel", "Ramp, 0: as set", "ms", 0, longest_ramp_ms(model));
     f.for_all_rows = true;
@@ -282,18 +282,20 @@ struct CommonActions {
   void add_changes_under_way() {
     actions.push_back(make_action(
         "change_speed", "Change speed now",
-        "Choose the window for speed changes (SSPDM in Setup) before the motion, and a straight ramp. This "
-        "then changes the speed of the moving axis.",
-        "Change under way",
+        "Before the motion, choose a straight ramp and the window for speed changes (SSPDM in Setup). The "
+        "speed can then be changed while the axis moves.",
+        "Change during a move",
         with_axis(false, {followed(number_field("speed", "New speed", "pulses/s", 1, max_speed, 1000)),
                           accel_field()}),
         where("On-The-Fly Speed Change")));
     actions.back().while_busy = actions.back().moves = true;
-    actions.push_back(make_action(
-        "change_target", "Change target now",
-        "Gives a running move of one axis another target. The axis reverses if it has already passed it.",
-        "Change under way", with_axis(false, {followed(position_field("target", "New target", "pulses"))}),
-        where("On-The-Fly Target Position Change")));
+    actions.push_back(
+        make_action("change_target", "Change target now",
+                    "Gives the running move of one axis a new target. The axis reverses if it has already "
+                    "passed the target.",
+                    "Change during a move",
+                    with_axis(false, {followed(position_field("target", "New target", "pulses"))}),
+                    where("On-The-Fly Target Position Change")));
     actions.back().while_busy = actions.back().moves = true;
   }
 
@@ -312,12 +314,12 @@ struct CommonActions {
   }
 
   void add_programs() {
-    actions.push_back(make_action(
-        "subroutine", "Run subroutine",
-        "Runs one of the stored subroutines beside the running programs. No command ends it, only its own "
-        "end or the power switch: Stop ends its present move, but its next line may start another.",
-        "Programs", {number_field("number", "Subroutine", "", 0, subroutines - 1)},
-        where("Standalone Programming")));
+    actions.push_back(
+        make_action("subroutine", "Run subroutine",
+                    "Runs a stored subroutine beside the running programs. Only its own end or the power "
+                    "switch ends it: Stop ends its present move, but its next line may start another.",
+                    "Programs", {number_field("number", "Subroutine", "", 0, subroutines - 1)},
+                    where("Standalone Programming")));
     actions.back().moves = actions.back().while_busy = true;
   }
 };
@@ -343,11 +345,11 @@ void add_axis_tables(Catalog& catalog, const Model& model) {
   AxisColumn watch{Shows::action, "sync", ""};
   watch.state = "SYN*S", watch.verb_on = "Watch", watch.verb_off = "Stop";
   catalog.axis_tables = {
-      {"Motion", "", {{Shows::motion, "clear", "what it does"}}},
+      {"Motion", "", {{Shows::motion, "clear", "state"}}},
       {"StepNLoop",
        "",
        {{Shows::toggle, "SL*", ""}, {Shows::readout, "SLS*", "does"}, {Shows::readout, "DX*", "off by"}}},
-      {"Change under way", "", {speed, target}},
+      {"Change during a move", "", {speed, target}},
   };
   if (catalog.find_action("joystick") >= 0) {
     AxisColumn stick{Shows::toggle, "joystick", ""};

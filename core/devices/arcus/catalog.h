@@ -29,8 +29,8 @@ void add_readouts(Catalog& catalog, const Model& model, Group group, std::string
                   const ReadoutInfo& pattern);
 void add_readout(Catalog& catalog, Group group, std::string id, ReadoutInfo info);
 
-/// Actions with the same form on both models except for the axis: clear, modes, speed and target under way,
-/// latch, sync, subroutines.
+/// Actions whose form differs between the models only by the axis letter: clear, modes, speed and target
+/// under way, latch, sync, subroutines.
 void add_common_actions(Catalog& catalog, const Model& model, std::string_view chapter);
 /// The tables of Control: a row per axis.
 void add_axis_tables(Catalog& catalog, const Model& model);

@@ -45,19 +45,19 @@ bool CodeAtWork::subroutine_may_run() {
 StopProgress CodeAtWork::outlast(const StopOrder& order, bool turns) {
   const Instant now = console_.scheduler.now();
   const bool watches = now - order.first_sent_at < longest_watch;
-  if (turns && watches)  // a ramp, or its next move
+  if (turns && watches)  // the axis ramps down, or the subroutine has begun its next move
     return now - order.sent_at < between_stops ? StopProgress::wait() : StopProgress::again();
   const bool is_reported = called_->rests && *called_->rests <= longest_rest;
   const Instant stands_since = std::max(moved_at_, order.first_sent_at);
   if (watches && (is_reported || now - stands_since <= usual_rest)) return StopProgress::wait();
   Fault fault(FaultKind::controller,
-              fmt::format("Subroutine {}, which GS has started, may go on, and {}.", called_->number,
+              fmt::format("Subroutine {}, started by GS, may still run, and {}.", called_->number,
                           turns ? "an axis still moves" : "its next line may start a move again"),
               "STOP ends only its present move; no command ends a subroutine.",
               "Switch the power off to end it.");
   if (turns || !std::exchange(called_->reported, true)) return StopProgress::failed(std::move(fault));
   console_.report(Notice::Kind::warning,
-                  fault.sentence());  // all stood through two stops: later ones need not fail
+                  fault.sentence());  // all axes stood through two stops: later stops need not fail
   return StopProgress::stands();
 }
 

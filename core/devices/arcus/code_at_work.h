@@ -34,10 +34,10 @@ class CodeAtWork {
   [[nodiscard]] bool program_may_run() const { return console_.scheduler.now() <= runs_until_; }
 
   // ---- subroutines
-  /// Call before the command is sent: it may act unconfirmed.
+  /// Call before the command is sent: it may take effect even if it is not confirmed.
   void goes_out(std::string_view command);
   void was_refused(std::string_view command);
-  /// Also for a subroutine that moves nothing: no status shows it.
+  /// Also counts a subroutine that moves nothing: no status shows it.
   [[nodiscard]] Duration longest_run(std::string_view call) const;
   [[nodiscard]] bool was_called() const { return called_.has_value(); }
   /// The subroutine called last may still be running.

@@ -303,7 +303,7 @@ std::string explain_refusal(const Model& model, std::string_view reply) {
     return "a limit error or a StepNLoop error is latched: find out why, then clear the errors";
   for (const Explanation& e : explanations)
     if (model.refusal(e.why) == reply) return e.words;
-  return "it does not take the command, or not with this value, or not now";
+  return "the command is unknown, its value is not allowed, or it is not possible now";
 }
 
 }  // namespace hw::arcus

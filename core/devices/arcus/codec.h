@@ -48,7 +48,7 @@ std::size_t refusal_of_cut_at_front(std::string_view bytes);
 std::size_t unsolicited_or_name_at_front(const Model& model, std::string_view bytes);
 /// The number in a device name: "DMK07" -> 7.
 std::optional<int> number_in_name(const Model& model, std::string_view name);
-/// The number of the device that reports in position.
+/// The number of the device in the message that it is in position.
 std::optional<int> in_position(std::string_view message);
 
 // ---- values
@@ -60,7 +60,7 @@ std::optional<std::int64_t> decode_value(const ParamInfo& info, std::string_view
 std::string encode_value(const ParamInfo& info, std::int64_t value);
 
 // ---- commands
-/// A form with its places filled in; the axis letter only where the form has one.
+/// A form with its places filled in. The axis letter is written only where the form has a place for it.
 std::string fill(const Forms& forms, std::string_view form, int axis, Sign sign = Sign::plus,
                  std::int64_t number = 0);
 std::string set_command(std::string_view name, std::int64_t value);

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "core/device/driver_faults.h"
+
 namespace hw::arcus {
 namespace {
 
@@ -13,14 +15,14 @@ struct Quiet {
   Duration time, longest_noise;
 };
 constexpr Quiet usual_quiet{Millis(30), Millis(300)};
-constexpr Quiet quiet_of_a_slow_one{Millis(45), Millis(800)};  // bytes come up to 40 ms apart
+constexpr Quiet quiet_of_slow_line{Millis(45), Millis(800)};  // bytes come up to 40 ms apart
 
-tl::unexpected<Fault> means_nothing(std::string_view question, std::string_view reply) {
+tl::unexpected<Fault> reply_not_understood(std::string_view question, std::string_view reply) {
   return fail(FaultKind::garbled,
-              fmt::format("The controller answered {} to {}, which is not a valid answer.",
+              fmt::format("The controller answered {} to {}, which is not a valid reply.",
                           reply.empty() ? "with an empty text" : printable(reply), question),
               "It was asked twice.",
-              "Check the cable and the line rate. Check whether two devices have the same address, or "
+              "Check the cable and the baud rate. Check whether two devices have the same address, or "
               "another program uses this line.");
 }
 
@@ -81,14 +83,13 @@ Task<Result<Reply>> Conversation::exchange(std::string text, Priority priority, 
   if (texts_received_ == received_before) co_return reply;
   co_return fail(
       FaultKind::garbled,
-      fmt::format("{} was answered twice: one of the replies came too late and belongs to another question.",
-                  text),
-      "Neither was used.");
+      fmt::format("{} was answered twice: one of the replies is late and belongs to an earlier query.", text),
+      "Neither reply was used.");
 }
 
-Task<bool> Conversation::come_clean(Priority priority) {
+Task<bool> Conversation::clean_line(Priority priority) {
   if (!station_) co_return false;
-  auto clean = co_await station_->come_clean(priority);
+  auto clean = co_await station_->clean_line(priority);
   co_return clean.has_value();
 }
 
@@ -96,9 +97,9 @@ Task<bool> Conversation::come_clean(Priority priority) {
 Task<Result<>> Conversation::may_go_out(std::string_view text, Priority priority) {
   if (!station_) co_return no_connection();
   const std::string kept(text);
-  auto clean = co_await station_->come_clean(priority);
+  auto clean = co_await station_->clean_line(priority);
   if (clean || !worth_another_try(clean.error())) co_return clean;
-  co_return fail(FaultKind::refused, "The controller does not answer, not even with its name.",
+  co_return fail(FaultKind::refused, "The controller does not answer, not even a query for its name.",
                  fmt::format("{} was not sent.", kept));
 }
 
@@ -138,7 +139,7 @@ Task<Result<Reply>> Conversation::transmit(std::string text, Priority priority, 
     co_return fail(
         FaultKind::garbled,
         fmt::format("Device {:02} was asked {}, and device {:02} answered.", asked, text, *reply.id),
-        "Its answer was not used.",
+        "Its reply was not used.",
         "Close any other program that uses this line. A late reply is possible too.");
   co_return reply;
 }
@@ -230,7 +231,7 @@ Task<Result<Reply>> Conversation::exchange_question(std::string question, Priori
   auto reply = co_await exchange(std::move(question), priority, usual_patience, true);
   if (!again || !reply) co_return reply;
   co_await wait_for_quiet();
-  if (unexpected_ != unexpected_before) co_return two_answer();
+  if (unexpected_ != unexpected_before) co_return two_devices_answer();
   co_return reply;
 }
 
@@ -250,7 +251,7 @@ Task<Result<std::string>> Conversation::ask_for(std::string question,
       co_await wait_for_quiet();  // the question itself may have been garbled
     }
   }
-  co_return means_nothing(question, text);
+  co_return reply_not_understood(question, text);
 }
 
 Task<Result<std::vector<std::int64_t>>> Conversation::ask_numbers(std::string question, std::size_t count,
@@ -270,8 +271,9 @@ Task<Result<std::int64_t>> Conversation::ask_number(std::string question, Priori
   co_return numbers->front();
 }
 
-Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode decode,
-                                                    std::optional<std::int64_t> expected, Priority priority) {
+Task<Result<std::int64_t>> Conversation::ask_confirmed(std::string question, Decode decode,
+                                                       std::optional<std::int64_t> expected,
+                                                       Priority priority) {
   constexpr int attempts = 4;
   int unexpected_before = unexpected_;  // with unexpected texts, each reply may be doubled in the same way
   std::function<bool(std::string_view)> makes_sense = [&decode](std::string_view text) {
@@ -285,7 +287,7 @@ Task<Result<std::int64_t>> Conversation::ask_surely(std::string question, Decode
     if (value == expected && (attempt == 0 || unexpected_now == unexpected_)) co_return value;
     expected = value;
   }
-  co_return fail(FaultKind::garbled, fmt::format("The answers to {} differ each time.", question),
+  co_return fail(FaultKind::garbled, fmt::format("The replies to {} differ each time.", question),
                  fmt::format("It was sent {} times.", attempts),
                  "Check the cable, and whether the value changes all the time.");
 }
@@ -315,8 +317,7 @@ Task<Result<>> Conversation::broadcast(std::string text, Priority priority) {
   if (!station_) co_return no_connection();
   const Model& model = console_.model();
   if (model.broadcast < 0 || station_->carries_messages())
-    co_return fail(FaultKind::refused,
-                   fmt::format("A {} has no address for all devices of a line.", model.title),
+    co_return fail(FaultKind::refused, fmt::format("A {} has no broadcast address.", model.title),
                    "Nothing was sent.");
   if (goes_out) goes_out(bare_text(text));
   Transaction t(framed(text, priority, model.broadcast), ReplyShape::nothing(), priority);
@@ -328,10 +329,10 @@ Task<Result<>> Conversation::broadcast(std::string text, Priority priority) {
 
 // ---- unsolicited texts
 
-// Gives up on a line that another program keeps busy.
+// Gives up if another program keeps the line busy.
 Task<> Conversation::wait_for_quiet() {
   const bool slow = station_ && station_->lateness() > Duration::zero();
-  const auto [quiet_time, longest_noise] = slow ? quiet_of_a_slow_one : usual_quiet;
+  const auto [quiet_time, longest_noise] = slow ? quiet_of_slow_line : usual_quiet;
   const Instant give_up = console_.scheduler.now() + longest_noise;
   Instant quiet_at = console_.scheduler.now() + quiet_time;
   while (station_ && console_.scheduler.now() < quiet_at) {
@@ -354,17 +355,17 @@ std::size_t Conversation::receive_unsolicited(std::string_view bytes) {
     return length;
   }
   if (const std::size_t refusal = refusal_of_cut_at_front(bytes); refusal != 0) {
-    if (station_) station_->disown_received();
+    if (station_) station_->discount_received();
     return refusal;
   }
-  if (is_anothers_name(bytes)) return 0;
+  if (is_other_devices_name(bytes)) return 0;
   ++texts_received_;
   if (station_ && !station_->is_dirty() && !station_->others_outstanding()) ++unexpected_;
   return 0;
 }
 
 // A late reply to another, never taken for ours.
-bool Conversation::is_anothers_name(std::string_view bytes) const {
+bool Conversation::is_other_devices_name(std::string_view bytes) const {
   const bool whole = bytes.find_first_of(std::string_view("\r\0", 2)) == bytes.size() - 1;
   const auto number = number_in_name(console_.model(), decode_reply(bytes).text);
   return whole && number && *number != console_.catalog.address;
@@ -372,22 +373,20 @@ bool Conversation::is_anothers_name(std::string_view bytes) const {
 
 // ---- sentences
 
-tl::unexpected<Fault> Conversation::no_connection() const {
-  return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
-}
+tl::unexpected<Fault> Conversation::no_connection() const { return not_connected("controller"); }
 
 tl::unexpected<Fault> Conversation::refusal(std::string_view sent, std::string_view reply) const {
   return fail(FaultKind::refused, fmt::format("The controller refused {} with {}: {}.", sent,
                                               printable(reply), explain_refusal(console_.model(), reply)));
 }
 
-tl::unexpected<Fault> Conversation::two_answer() const {
+tl::unexpected<Fault> Conversation::two_devices_answer() const {
   const std::string_view prefix = console_.model().name_prefix;
   return fail(
       FaultKind::garbled,
       fmt::format("More than one device answers at address {:02}, or another program uses this line.",
                   console_.catalog.address),
-      "The answer was not used.",
+      "The reply was not used.",
       fmt::format("Connect one of them alone, give it another device name ({}01 to {}99), Store, switch "
                   "its power off and on.",
                   prefix, prefix));

@@ -52,8 +52,8 @@ class Conversation {
   /// How often the line has become clean again.
   [[nodiscard]] std::uint32_t times_cleaned() const { return station_ ? station_->times_cleaned() : 0; }
 
-  /// `goes_out` is called with each command of this device just before it is sent; `not_done` if it was
-  /// refused or not sent.
+  /// `goes_out` is called with each command to this device just before it is sent, `not_done` if the command
+  /// was refused or not sent.
   std::function<void(std::string_view command)> goes_out, not_done;
 
   /// A question more urgent than a status round: when due, it is asked before the next question of the round.
@@ -73,16 +73,15 @@ class Conversation {
   /// A digit lost or doubled on the line leaves another plausible number: the question for a value other than
   /// `expected` is repeated until two replies agree.
   using Decode = std::function<std::optional<std::int64_t>(std::string_view)>;
-  Task<Result<std::int64_t>> ask_surely(std::string question, Decode decode,
-                                        std::optional<std::int64_t> expected, Priority priority);
+  Task<Result<std::int64_t>> ask_confirmed(std::string question, Decode decode,
+                                           std::optional<std::int64_t> expected, Priority priority);
   // ---- commands: sent once
   Task<Result<>> command(std::string text, Priority priority, Duration patience = Millis(200));
   /// One command or question and its reply, refusals included.
   Task<Result<Reply>> exchange(std::string text, Priority priority, Duration patience,
                                bool own_question = false);
-  /// If a reply is outstanding, asks the device for its name, so that the next reply belongs to the next
-  /// text.
-  Task<bool> come_clean(Priority priority);
+  /// If a reply is outstanding, asks the device for its name. The next reply then belongs to the next text.
+  Task<bool> clean_line(Priority priority);
   /// Sent to every device of the line; none replies.
   Task<Result<>> broadcast(std::string text, Priority priority);
 
@@ -100,7 +99,7 @@ class Conversation {
 
   [[nodiscard]] tl::unexpected<Fault> no_connection() const;
   [[nodiscard]] tl::unexpected<Fault> refusal(std::string_view sent, std::string_view reply) const;
-  [[nodiscard]] tl::unexpected<Fault> two_answer() const;
+  [[nodiscard]] tl::unexpected<Fault> two_devices_answer() const;
 
  private:
   Task<Result<Reply>> transmit(std::string text, Priority priority, Duration patience, bool own_question,
@@ -115,7 +114,7 @@ class Conversation {
   [[nodiscard]] std::string framed(std::string_view text, Priority priority, int address) const;
   [[nodiscard]] bool others_may_reply(ReplyKind reply_kind) const;
   [[nodiscard]] bool is_its_name(std::string_view text) const;
-  [[nodiscard]] bool is_anothers_name(std::string_view bytes) const;
+  [[nodiscard]] bool is_other_devices_name(std::string_view bytes) const;
   std::size_t receive_unsolicited(std::string_view bytes);
 
   const Console& console_;

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/driver_faults.h"
 #include "core/devices/arcus/text_goals.h"
 #include "core/devices/arcus/text_meaning.h"
 
@@ -31,7 +32,7 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
   using namespace intent;
   if (!conversation_.is_open()) co_return conversation_.no_connection();
   if (auto looked = co_await silence_.look(); !looked) co_return looked;
-  if (auto returned = co_await put_back_what_is_out(body); !returned) co_return returned;
+  if (auto returned = co_await undo_borrowed(body); !returned) co_return returned;
   if (const auto* i = std::get_if<MoveTo>(&body))
     co_return co_await work_.moves.move(i->targets, pace_of(*i), false);
   if (const auto* i = std::get_if<MoveBy>(&body))
@@ -66,9 +67,7 @@ Task<Result<>> ArcusDriver::perform(const IntentBody& body) {
 }
 
 Task<Result<std::string>> ArcusDriver::stop(const StopOrder& order) {
-  if (!conversation_.is_open())
-    co_return fail(FaultKind::lost, "Stop cannot reach the controller: there is no connection.",
-                   "Nothing was sent.", "Use its power switch.");
+  if (!conversation_.is_open()) co_return stop_cannot_reach("controller", "Use its power switch.");
   if (order.what == StopOrder::What::words) co_return co_await texts_.stop(order);
   Result<> sent;
   if (order.what == StopOrder::What::tool)
@@ -118,14 +117,12 @@ Task<Result<>> ArcusDriver::set_param(intent::SetParam request) {
   co_return co_await known_.status.read_loops(Priority::intent);
 }
 
-Task<Result<>> ArcusDriver::put_back_what_is_out(const IntentBody& before) {
+Task<Result<>> ArcusDriver::undo_borrowed(const IntentBody& before) {
   auto returned = co_await known_.borrowed.give_back_first();
   if (returned) returned = co_await work_.guard.let_go();
   const bool rewrites = std::holds_alternative<intent::LoadProgram>(before) ||
                         std::holds_alternative<intent::ClearProgram>(before);
-  if (returned && rewrites && work_.guard.at_work())
-    co_return fail(FaultKind::refused, "The guard in the program memory watches a jog.",
-                   "Nothing was written.", "Release the jog button first.");
+  if (returned && rewrites) returned = work_.guard.may_be_overwritten();
   if (!returned) co_return returned;
   if (const auto* i = std::get_if<intent::SendText>(&before)) co_return guard_allows(i->text);
   if (std::holds_alternative<intent::Store>(before)) co_return work_.guard.allows("STORE");

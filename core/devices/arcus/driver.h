@@ -61,7 +61,7 @@ class ArcusDriver final : public Driver {
  private:
   // ---- driver.cpp
   Task<Result<>> jog(intent::JogStart request);
-  Task<Result<>> put_back_what_is_out(const IntentBody& before);
+  Task<Result<>> undo_borrowed(const IntentBody& before);
   [[nodiscard]] Result<> guard_allows(const std::string& text) const;
   Task<Result<>> set_param(intent::SetParam request);
   Task<Result<>> set_variable(const intent::SetVariable& request);

@@ -61,7 +61,7 @@ void ArcusDriver::restarted(std::string_view how_it_shows, unsigned moved) {
   console_.report(
       Notice::Kind::warning,
       fmt::format(
-          "{}: the controller was switched off and on, or another program set this. Unstored settings and "
+          "{}: the controller was switched off and on, or another program did this. Unstored settings and "
           "programs are lost; the set-up is read again. Home the axes before the next absolute move.",
           how_it_shows));
 }

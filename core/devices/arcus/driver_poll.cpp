@@ -56,7 +56,7 @@ bool ArcusDriver::is_at_work() const {
 // A few values each round: an unwatched readout, an analog input, some parameters.
 Task<Result<>> ArcusDriver::read_at_rest() {
   auto read = co_await known_.readouts.read_in_turn();
-  if (read && round_ % kept_every == 0) read = co_await known_.setup.read_what_power_keeps();
+  if (read && round_ % kept_every == 0) read = co_await known_.setup.read_next_volatile();
   if (read) read = co_await work_.guard.look();
   if (!read) co_return read;
   co_return co_await known_.setup.read_in_turn();
@@ -74,15 +74,15 @@ Duration ArcusDriver::moving_period() const {
 
 namespace {
 
-const char* what_happened(AxisError error) {
+const char* axis_error_words(AxisError error) {
   switch (error) {
     case AxisError::limit_minus: return "hit its - limit";
     case AxisError::limit_plus: return "hit its + limit";
     case AxisError::limit: return "hit a limit";
     case AxisError::alarm: return "was stopped by its alarm";
     case AxisError::stalled: return "did not follow (stall)";
-    case AxisError::too_far: return "stands too far off";
-    case AxisError::not_corrected: return "could not be corrected";
+    case AxisError::too_far: return "is too far from its target";
+    case AxisError::not_corrected: return "did not reach its target";
     case AxisError::none: break;
   }
   return "";
@@ -97,14 +97,12 @@ void ArcusDriver::show_worst() {
     const AxisError error = known_.motions.error_of(i);
     if (error == AxisError::none) continue;
     console_.snapshot.notice = fmt::format("Axis {} {}. Clear the errors before the next move.",
-                                           console_.axis_name(i), what_happened(error));
+                                           console_.axis_name(i), axis_error_words(error));
     return;
   }
   for (int i = 0; i < console_.model().programs; ++i)
     if (console_.snapshot.threads[ix(i)].known && console_.snapshot.threads[ix(i)].run == RunState::error) {
-      console_.snapshot.notice =
-          fmt::format("Program {} stopped with an error at line {} of its stored code.", i,
-                      console_.snapshot.threads[ix(i)].line);
+      console_.snapshot.notice = Threads::error_sentence(i, console_.snapshot.threads[ix(i)].line);
       return;
     }
 }

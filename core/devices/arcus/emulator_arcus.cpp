@@ -7,9 +7,8 @@
 namespace hw::arcus {
 namespace {
 
-constexpr std::size_t longest_line = 256, pulses_kept = 100'000;
-constexpr std::size_t transfer = 64;          // bytes of a USB transfer
-constexpr int most_events_at_once = 100'000;  // at one instant: then time has to go on
+constexpr std::size_t longest_line = 256;
+constexpr std::size_t transfer = 64;  // bytes of a USB transfer
 
 }  // namespace
 
@@ -140,8 +139,9 @@ Result<> ArcusEmulator::load_memory(std::string_view text) {
   }
   if (good == 0) {
     controller_.flash() = std::move(before);
-    return fail(FaultKind::text, "This is no memory of a " + title + (problem.empty() ? "." : ": " + problem),
-                "The memory stays as it was.");
+    return fail(FaultKind::text,
+                "This is not a memory of a " + title + (problem.empty() ? "." : ": " + problem),
+                "Nothing was changed.");
   }
   ++memory_loads_;
   if (controller_.powered()) {
@@ -151,7 +151,7 @@ Result<> ArcusEmulator::load_memory(std::string_view text) {
   after();
   if (problem.empty()) return {};
   return fail(FaultKind::text, "The memory of the " + title + " is damaged: " + problem,
-              "The readable part was taken; the rest has its factory values.",
+              "The readable part was used; the rest has its factory values.",
               "Check polarities and programs before you run a motor.");
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/rounded_steps.h"
 #include "core/devices/arcus/emulator_arcus.h"
 #include "core/emulation/bench_on_controller.h"
 #include "core/emulation/plant_bench.h"
@@ -68,7 +69,7 @@ Result<> ArcusEmulator::act(const bench::Slip& c) {
   Axis& axis = controller_.axis(c.axis.index);
   const double pulses =
       axis.counts_per_pulse == 0 ? 0 : static_cast<double>(c.by.value) / axis.counts_per_pulse;
-  axis.plant.slip(Steps(std::llround(std::clamp(pulses, -1e15, 1e15))));
+  axis.plant.slip(rounded_steps(pulses));
   controller_.bench_changed(c.axis.index);
   return {};
 }

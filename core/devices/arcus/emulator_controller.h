@@ -76,10 +76,10 @@ class Controller {
   std::string load_line(std::string_view line);
   Flash& flash() { return flash_; }
   [[nodiscard]] const Flash& flash() const { return flash_; }
-  [[nodiscard]] int address() const { return manners_.address; }
-  [[nodiscard]] int rate() const { return manners_.rate; }
-  [[nodiscard]] bool prefixes_replies() const { return manners_.prefixes_replies; }
-  [[nodiscard]] bool announces_arrivals() const { return manners_.announces_arrivals; }
+  [[nodiscard]] int address() const { return host_settings_.address; }
+  [[nodiscard]] int rate() const { return host_settings_.rate; }
+  [[nodiscard]] bool prefixes_replies() const { return host_settings_.prefixes_replies; }
+  [[nodiscard]] bool announces_arrivals() const { return host_settings_.announces_arrivals; }
 
   // Settings (emulator_registers.cpp).
   [[nodiscard]] const Model& model() const { return *model_; }
@@ -326,7 +326,7 @@ class Controller {
   bool incremental_ = false;
   Terminals terminals_;
   bool load_needs_power_ = false;
-  HostSettings manners_;
+  HostSettings host_settings_;
   Instant timer_end_{};
   HostTimeout timeout_;
   JoystickTurns joystick_;

@@ -38,7 +38,7 @@ void Controller::power_up() {
   timer_end_ = Instant{};
   terminals_.outputs = settings_.get(Setting::boot_outputs);
   terminals_.enables = settings_.get(Setting::boot_enables);
-  manners_.take(settings_);
+  host_settings_.take(settings_);
   for (Axis& axis : axes_) {
     Axis fresh;
     fresh.plant = axis.plant, fresh.counts_per_pulse = axis.counts_per_pulse;
@@ -82,7 +82,7 @@ std::string Controller::load_line(std::string_view line) {
   constexpr std::string_view stores = "stores = ";
   if (line.substr(0, stores.size()) == stores) {
     const auto n = parse_integer(line.substr(stores.size()));
-    if (!n || *n < 0) return "has no number of stores";
+    if (!n || *n < 0) return "has no valid number of stores";
     flash_.stores = static_cast<std::uint64_t>(*n);
     return {};
   }
@@ -94,12 +94,12 @@ std::string Controller::load_line(std::string_view line) {
   }
   if (const auto n = numbered("V", variables)) {
     const auto v = parse_integer(value);
-    if (!v || *v < INT32_MIN || *v > INT32_MAX) return "has no 32-bit number";
+    if (!v || *v < INT32_MIN || *v > INT32_MAX) return "has no valid 32-bit number";
     flash_.values[ix(*n)] = static_cast<std::int32_t>(*v);
     return {};
   }
   if (flash_.settings.load_line(line)) return {};
-  return "is not known here: " + std::string(line.substr(0, 40));
+  return "is unknown: " + std::string(line.substr(0, 40));
 }
 
 }  // namespace hw::arcus

@@ -188,12 +188,12 @@ Refusal Controller::arc(std::int64_t centre_x, std::int64_t centre_y, bool clock
 
   double turn = full;
   if (end_and_sweep) {
-    const double end = static_cast<double>(end_and_sweep->first % 360'000) / 360'000 * full;
+    const double end = static_cast<double>(end_and_sweep->first % full_turn) / full_turn * full;
     const double start = std::atan2(from_y, -from_x);
     turn = std::fmod(clockwise ? end - start : start - end, full);
     if (turn < 0) turn += full;
     const double one_pulse = 1 / (radius * k);  // a smaller angle is the present place
-    if (turn < one_pulse || full - turn < one_pulse) turn = end_and_sweep->second >= 360'000 ? full : 0;
+    if (turn < one_pulse || full - turn < one_pulse) turn = end_and_sweep->second >= full_turn ? full : 0;
   }
   note_event("draws an arc about " + std::to_string(centre_x) + ", " + std::to_string(centre_y), 0b11);
   const Path path = Path::arc(0, 1, from_x * k, from_y * k, clockwise ? -turn : turn);

@@ -26,11 +26,11 @@ std::string explain_sent(const Model& model, std::span<const CommandInfo> known,
   const int address = address_of(bytes);
   std::string to;
   if (address >= 0 && address == model.broadcast)
-    to = "to all devices, none answers: ";
+    to = "to all devices, no reply: ";
   else if (address >= 0)
     to = fmt::format("to {:02}: ", address);
   const std::string help = help_for(model, known, text);
-  return help.empty() ? to + "no command of the manual" : to + help;
+  return help.empty() ? to + "not a command of the manual" : to + help;
 }
 
 std::string explain_status(const Model& model, std::string_view text) {
@@ -78,7 +78,7 @@ std::string explain(const Model& model, std::span<const CommandInfo> known, std:
                     TrafficKind kind, std::string_view asked) {
   if (way == Way::sent) return explain_sent(model, known, bytes);
   if (const auto id = in_position(bytes)) return fmt::format("device {:02} is in position", *id);
-  if (kind == TrafficKind::unparsed) return "no reply to a question";
+  if (kind == TrafficKind::unparsed) return "not a reply to a query";
   const Reply reply = decode_reply(bytes);
   if (reply.refused()) return "refused: " + explain_refusal(model, reply.text);
   if (reply.text == "OK") return "done";

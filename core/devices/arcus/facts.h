@@ -13,12 +13,17 @@ inline constexpr int most_axes = 4;
 inline constexpr std::int64_t position_min = -134'217'728, position_max = 134'217'727;  ///< 28 bits
 inline constexpr std::int64_t max_speed = 6'000'000;                                    ///< pulses/s
 inline constexpr std::int64_t max_radius = 134'216'773;                                 ///< arcs, in pulses
-inline constexpr std::int64_t max_number = 2'147'483'647;
+inline constexpr std::int64_t max_number = 2'147'483'647;    ///< of a program or a time-out
+inline constexpr int min_current = 100, max_current = 2500;  ///< mA, of a driver that is built in
+inline constexpr std::int64_t full_turn = 360'000;           ///< of an arc, in thousandths of a degree
 
 // --- standalone programs (PMX manual ch. 6, DMX manual ch. 7) -------------------------------------------
 inline constexpr int program_lines = 1275, max_line_text = 63;
 inline constexpr int subroutines = 32, error_subroutine = 31;
 inline constexpr int variables = 100, first_stored_variable = 50;
+
+// --- names, replies to ID --------------------------------------------------------------------------------
+inline constexpr std::string_view pmx_product = "Performax-4EX-SA", dmx_product = "DriveMax-K-SA";
 
 // --- line rates (tables 6.14 and 7.9) -------------------------------------------------------------------
 struct Baud {

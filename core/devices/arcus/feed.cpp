@@ -21,7 +21,7 @@ Task<Result<>> Feed::go_on() {
     const bool begins = !console_.snapshot.any_axis_moving();
     for (int axis = 0; axis < 3 && axis < console_.axes(); ++axis)
       motions_.begun(axis, Activity::moving, status_.round_began());
-    if (begins) console_.changed();  // the next round of status is a few moves away
+    if (begins) console_.changed();  // the next status round comes only after a few moves
   };
   co_return co_await list_.feed(std::move(moves));
 }

@@ -30,7 +30,7 @@ Task<Result<>> Finding::identify() {
     const auto greeted = co_await conversation_.greet(first_patience);
     if (!greeted && greeted.error().kind == FaultKind::lost) co_return fail(greeted.error());
     const bool received = conversation_.is_open() && conversation_.station()->received_at() > began;
-    if (!greeted && received) co_return conversation_.two_answer();
+    if (!greeted && received) co_return conversation_.two_devices_answer();
     if (!greeted && greeted.error().kind == FaultKind::no_answer) co_return silent();
   }
   auto reply = co_await ask_identity("ID", [this](std::string_view text) {
@@ -50,15 +50,15 @@ Task<Result<>> Finding::identify() {
   if (conversation_.line_feeds() > 0) co_return line_feeds_come();
   if (!reply_kinds::is_version(version->text)) co_return garbled(known ? version->text : reply->text);
   co_await conversation_.wait_for_quiet();  // a second device with this address would have spoken by now
-  if (conversation_.unexpected() > 0) co_return conversation_.two_answer();
+  if (conversation_.unexpected() > 0) co_return conversation_.two_devices_answer();
   conversation_.know_product(known);
   console_.snapshot.identity.model = known ? reply->text : hex_of(reply->text);
   console_.snapshot.identity.firmware = version->text;
   if (!known)
-    console_.report(
-        Notice::Kind::warning,
-        fmt::format("It answers {} to ID, and a {} answers {}. It is used as a {}.", hex_of(reply->text),
-                    console_.model().title, console_.model().product, console_.model().title));
+    console_.report(Notice::Kind::warning,
+                    fmt::format("The controller answers {} to ID, and a {} answers {}. It is used as a {}.",
+                                hex_of(reply->text), console_.model().title, console_.model().product,
+                                console_.model().title));
   co_return Result<>();
 }
 
@@ -84,7 +84,7 @@ Task<Result<Reply>> Finding::ask_identity(std::string question, std::function<bo
   co_return reply;
 }
 
-// Time to reply, beyond the time on the wire.
+// Records how long the controller needs to reply, beyond the time on the wire.
 void Finding::note_how_slow() {
   if (!conversation_.is_open()) return;
   constexpr std::size_t usual_bytes = 24;  // of ID and its answer
@@ -93,8 +93,8 @@ void Finding::note_how_slow() {
       std::max(station.lateness(), station.statistics().last_round_trip) - station.wire_time(usual_bytes);
   if (waited <= slow_from || std::exchange(slow_reported_, true)) return;
   console_.report(Notice::Kind::warning,
-                  fmt::format("It takes {:.1f} s to answer. The values shown are as old as this, and the "
-                              "confirmation of a stop is as late.",
+                  fmt::format("The controller takes {:.1f} s to answer. Values are that old when they are "
+                              "shown, and a stop is confirmed that late.",
                               seconds(waited)));
 }
 
@@ -108,19 +108,16 @@ Task<Result<>> Finding::read_name() {
   if (!number && !usb && !std::exchange(name_reported_, true))
     console_.report(
         Notice::Kind::warning,
-        fmt::format(
-            "Set its device name (DN), Store, and switch it off and on: it answers at {:02} and calls itself "
-            "{}, where a {} calls itself {}{:02}. On a shared line its late answers cannot be distinguished "
-            "from those of other devices.",
-            console_.catalog.address, hex_of(*name), console_.model().title, console_.model().name_prefix,
-            console_.catalog.address));
+        fmt::format("Set the device name (DN), Store, and switch the device off and on: it answers at {:02} "
+                    "and calls itself {}, where a {} calls itself {}{:02}. On a shared line its late replies "
+                    "cannot be distinguished from those of other devices.",
+                    console_.catalog.address, hex_of(*name), console_.model().title,
+                    console_.model().name_prefix, console_.catalog.address));
   if (number && *number != console_.catalog.address && !usb && !std::exchange(name_reported_, true))
-    console_.report(
-        Notice::Kind::info,
-        fmt::format(
-            "It answers at {:02}, and its name has been set to {}: it will answer at {:02} after Store and "
-            "switching its power off and on.",
-            console_.catalog.address, *name, *number));
+    console_.report(Notice::Kind::info,
+                    fmt::format("The device answers at {:02}, but its name is set to {}: it will answer at "
+                                "{:02} from the next power-up after Store.",
+                                console_.catalog.address, *name, *number));
   co_return Result<>();
 }
 
@@ -128,28 +125,28 @@ Task<Result<>> Finding::read_name() {
 
 tl::unexpected<Fault> Finding::silent() const {
   if (conversation_.framing() == Framing::message)
-    return fail(FaultKind::no_answer, fmt::format("The {} does not answer on USB.", console_.model().title),
-                "Nothing but the question for its name was sent.",
-                fmt::format("Check its supply ({}) and the cable, and close other programs that use it.",
-                            console_.forms.supply));
+    return fail(
+        FaultKind::no_answer, fmt::format("The {} does not answer on USB.", console_.model().title),
+        "Only the query for its name was sent.",
+        fmt::format("Check its power supply ({}) and the cable, and close other programs that use it.",
+                    console_.forms.supply));
   const int rate = conversation_.is_open() ? conversation_.station()->rate() : 0;
-  const std::string elsewhere = where_it_went(rate);
+  const std::string elsewhere = rate_advice(rate);
   return fail(
       FaultKind::no_answer,
       fmt::format("No {} answers at address {:02}{}.", console_.model().title, console_.catalog.address,
                   rate > 0 ? fmt::format(", at {} baud", rate) : ""),
-      "Nothing but the question for its name was sent.",
+      "Only the query for its name was sent.",
       !elsewhere.empty()
           ? elsewhere
-          : fmt::format(
-                "Check its supply ({}), {}, the line rate ({} from the factory), and its device name: the "
-                "last two digits are its address ({}{:02} from the factory).",
-                console_.forms.supply, console_.forms.wires, bauds.front().rate, console_.model().name_prefix,
-                factory_id()));
+          : fmt::format("Check its power supply ({}), {}, the baud rate ({} from the factory), and its "
+                        "device name: the last two digits are its address ({}{:02} from the factory).",
+                        console_.forms.supply, console_.forms.wires, bauds.front().rate,
+                        console_.model().name_prefix, factory_id()));
 }
 
 // An address or rate set here and stored takes effect at a power cycle. Empty: no change is known.
-std::string Finding::where_it_went(int rate) const {
+std::string Finding::rate_advice(int rate) const {
   const auto stored = [this](std::string_view mnemonic) -> std::optional<std::int64_t> {
     const int index = console_.catalog.find_param(mnemonic);
     if (index < 0) return std::nullopt;
@@ -168,9 +165,8 @@ std::string Finding::where_it_went(int rate) const {
       options += fmt::format("{}baud={}", options.empty() ? "" : ",", b.rate);
     }
   if (words.empty()) return {};
-  return fmt::format(
-      "Open it with {1}: it was given {0}, which takes effect when its power has been switched off and on.",
-      words, options);
+  return fmt::format("Open it with {1}: it was given {0}, which takes effect at the next power-up.", words,
+                     options);
 }
 
 tl::unexpected<Fault> Finding::garbled(std::string_view bytes) const {
@@ -185,17 +181,17 @@ tl::unexpected<Fault> Finding::garbled(std::string_view bytes) const {
 }
 
 tl::unexpected<Fault> Finding::echoed() const {
-  return fail(FaultKind::garbled, "The line returns everything that is sent.",
-              "Nothing but the question for its name was sent.",
-              "Switch off the echo of the RS-485 adapter; if it has none, its data lines touch each other.");
+  return fail(
+      FaultKind::garbled, "The line echoes everything that is sent.", "Only the query for its name was sent.",
+      "Switch off the echo of the RS-485 adapter; if it has none, its data lines are shorted together.");
 }
 
 tl::unexpected<Fault> Finding::line_feeds_come() const {
   return fail(FaultKind::garbled,
-              fmt::format("The answers at address {:02} end in CR LF; those of a {} have no LF.",
+              fmt::format("The replies at address {:02} end in CR LF; those of a {} have no LF.",
                           console_.catalog.address, console_.model().title),
-              "The answer was not used.",
-              "Switch the conversion of line ends off in the serial server or adapter: it adds the LF.");
+              "The reply was not used.",
+              "Switch line-end conversion off in the serial server or adapter: it adds the LF.");
 }
 
 int Finding::factory_id() const {

@@ -29,7 +29,7 @@ class Finding {
   tl::unexpected<Fault> echoed() const;
   tl::unexpected<Fault> line_feeds_come() const;
   [[nodiscard]] int factory_id() const;
-  [[nodiscard]] std::string where_it_went(int rate) const;
+  [[nodiscard]] std::string rate_advice(int rate) const;
 
   const Console& console_;
   Conversation& conversation_;

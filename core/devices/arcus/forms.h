@@ -28,7 +28,7 @@ struct Forms {
   bool axis_speeds;  ///< an axis may have speeds of its own
   bool joystick;     ///< axes may follow a joystick (JE)
 
-  // For a person.
+  // For sentences.
   std::string_view supply;         ///< "12 to 24 V"
   std::string_view wires;          ///< what to check
   std::string_view other_product;  ///< reply to ID of the other model of the family

@@ -39,12 +39,12 @@ JogGuardFacts guard_facts(const Model& model) {
       "The controller itself stops a jog that you hold when it has received nothing for half a second or a "
       "little longer. This also works when the cable is pulled or the computer is off. It never stops moves, "
       "programs or jogs of scripts.",
-      fmt::format("It is stored in flash as program {} of the controller and compared, only if the program "
-                  "memory is empty. A program that you download replaces it. While a jog is held it uses "
-                  "TOC, V{} and V{}; afterwards TOC is restored.",
+      fmt::format("It is written to flash as program {} of the controller and compared, and only if the "
+                  "program memory is empty. A program that you download replaces it. While you hold a jog, "
+                  "it uses TOC, V{} and V{}; afterwards TOC is restored.",
                   guard_program(model), guard_work_variable, guard_axes_variable),
-      "The manual does not say how the time-out is reset: our way is a guess until real hardware has "
-      "confirmed it (decision AMB-044). The watchdog of this program stays on as well."};
+      "The manual does not say how the time-out is reset: the way used here is a guess until real hardware "
+      "confirms it (decision AMB-044). The console's own watchdog stays on as well."};
 }
 
 }  // namespace hw::arcus

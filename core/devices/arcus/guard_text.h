@@ -15,7 +15,7 @@ namespace hw::arcus {
 /// Variables: the axes jogged by hand, a bit each; and the program's work variable.
 inline constexpr int guard_axes_variable = 49, guard_work_variable = 48;
 
-/// The last one, since a single stored program is the first.
+/// The last program, because a user's single program is stored as the first.
 [[nodiscard]] constexpr int guard_program(const Model& model) { return model.programs - 1; }
 
 /// `time_out`: TOC while no jog is held; the program restores it.

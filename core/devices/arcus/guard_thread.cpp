@@ -22,7 +22,8 @@ std::string variable(int number) { return fmt::format("V{}", number); }
 
 void GuardThread::is(JogGuard::State state) { console_.snapshot.jog_guard.state = state; }
 
-// The guard's thread is no user's program until it has ended; at any other time another host's may run there.
+// Until the guard has ended, its thread is not shown as a user's program. At any other time another host's
+// program may run in it.
 void GuardThread::watches(unsigned axes) {
   constexpr Duration until_it_has_ended = std::chrono::seconds(1);
   const bool begins_or_ends = (axes != 0) != at_work();
@@ -51,6 +52,12 @@ void GuardThread::goes_out(std::string_view command) {
   is(JogGuard::State::unknown);
 }
 
+Result<> GuardThread::may_be_overwritten() const {
+  if (!at_work()) return {};
+  return fail(FaultKind::refused, "The guard in the program memory is watching a jog.",
+              "Nothing was written.", "Release the jog button first.");
+}
+
 Result<> GuardThread::allows(std::string_view command) const {
   const auto name = command.substr(0, command.find('='));
   const bool sets = name.size() != command.size();
@@ -61,7 +68,7 @@ Result<> GuardThread::allows(std::string_view command) const {
               "Nothing was sent.", "Release the jog button first.");
 }
 
-// The time-out, by the rate of status rounds on this wire.
+// The time-out, chosen by the rate of status rounds on this wire.
 std::chrono::milliseconds GuardThread::silence() const {
   const double rounds = console_.snapshot.link.polls_per_second;
   const auto known =
@@ -78,7 +85,7 @@ Task<Result<>> GuardThread::set(std::string name, std::int64_t value) {
 
 Task<Result<>> GuardThread::may_install() {
   if (console_.snapshot.any_axis_moving())
-    co_return fail(FaultKind::refused, "An axis moves.", "Nothing was written.", "Stop it first.");
+    co_return fail(FaultKind::refused, "An axis is moving.", "Nothing was written.", "Stop it first.");
   auto read = co_await threads_.read(true, Priority::intent);
   if (!read) co_return read;
   if (auto may = threads_.none_runs(); !may) co_return may;
@@ -102,7 +109,7 @@ Task<Result<>> GuardThread::may_install() {
 Task<Result<std::int64_t>> GuardThread::try_time_out() {
   Conversation::Decode decode = decode_number;
   auto before =
-      co_await conversation_.ask_surely("TOC", std::move(decode), setup_.param("TOC"), Priority::intent);
+      co_await conversation_.ask_confirmed("TOC", std::move(decode), setup_.param("TOC"), Priority::intent);
   if (!before) co_return before;
   const std::int64_t wanted = silence().count();
   auto set_to = co_await borrowed_.borrow("TOC", wanted, *before);
@@ -136,9 +143,7 @@ Task<Result<>> GuardThread::install() {
 
 Task<Result<>> GuardThread::remove() {
   if (auto let = co_await let_go(); !let) co_return let;
-  if (at_work())
-    co_return fail(FaultKind::refused, "The guard watches a jog.", "Nothing was written.",
-                   "Release the jog button first.");
+  if (auto may = may_be_overwritten(); !may) co_return may;
   auto there = co_await stored_.read();
   if (!there) co_return fail(there.error());
   if (!read_guard(*there, dialect_, console_.model())) {
@@ -152,7 +157,7 @@ Task<Result<>> GuardThread::remove() {
   is(JogGuard::State::absent);
   for (const int number : {guard_axes_variable, guard_work_variable})
     if (auto zero = co_await set(variable(number), 0); !zero) co_return zero;
-  console_.report(Notice::Kind::info, "The guard is gone, and the program memory is empty as before.");
+  console_.report(Notice::Kind::info, "The guard was removed, and the program memory is empty again.");
   co_return Result<>();
 }
 
@@ -164,7 +169,7 @@ Task<Result<>> GuardThread::watch(int axis) {
   if (auto has = console_.has_axis(axis); !has) co_return has;
   if (!at_work()) {
     if (auto there = co_await still_there(); !there) co_return there;
-    if (auto same = co_await time_out_is_as_it_was(); !same) co_return same;
+    if (auto same = co_await confirm_time_out_unchanged(); !same) co_return same;
   }
   watches(watched_ | 1u << axis);
   auto started = co_await start(watched_);
@@ -172,11 +177,11 @@ Task<Result<>> GuardThread::watch(int axis) {
   Fault why = std::move(started.error());
   why.kind = FaultKind::refused;  // no motion command was sent
   why.done = "The guard in the controller did not start, so the jog was not sent.";
-  why.advice = "Try again, or take the guard away.";
+  why.advice = "Try again, or remove the guard.";
   co_return fail(std::move(why));
 }
 
-/// Otherwise a program that another host has written since would be started instead.
+/// Checks that the guard is still stored: otherwise a program written since by another host would be started.
 Task<Result<>> GuardThread::still_there() {
   const auto stops = std::find_if(lines_.begin(), lines_.end(),
                                   [](const std::string& line) { return line.starts_with("STOP"); });
@@ -188,14 +193,14 @@ Task<Result<>> GuardThread::still_there() {
   }
   if (stops != lines_.end() && *line == *stops) co_return Result<>();
   forget();
-  co_return fail(FaultKind::refused, "The program memory does not hold the guard any more.",
-                 "The jog was not sent.", "See beside the jog pad what stops a jog now, then jog again.");
+  co_return fail(FaultKind::refused, "The program memory no longer holds the guard.", "The jog was not sent.",
+                 "See beside the jog pad what stops a jog now, then jog again.");
 }
 
-/// Otherwise the program, which ends by itself, would replace the present value.
-Task<Result<>> GuardThread::time_out_is_as_it_was() {
+/// Checks that TOC has its former value: otherwise the program would replace the present value when it ends.
+Task<Result<>> GuardThread::confirm_time_out_unchanged() {
   Conversation::Decode decode = decode_number;
-  auto now = co_await conversation_.ask_surely("TOC", std::move(decode), time_out_, Priority::intent);
+  auto now = co_await conversation_.ask_confirmed("TOC", std::move(decode), time_out_, Priority::intent);
   if (!now) {
     now.error().kind = FaultKind::refused;
     now.error().done = "The jog was not sent.";
@@ -204,13 +209,13 @@ Task<Result<>> GuardThread::time_out_is_as_it_was() {
   if (*now == time_out_) co_return Result<>();
   const std::string what = fmt::format(
       "TOC is {}, and the guard in the controller would set it to {} after each jog.", *now, time_out_);
-  const std::string how =
-      fmt::format("Set TOC to {}, or take the guard away and install it again.", time_out_);
+  const std::string how = fmt::format("Set TOC to {}, or remove the guard and install it again.", time_out_);
   co_return fail(FaultKind::refused, what, "The jog was not sent.", how);
 }
 
-// The axes come first, which have no effect alone: a console that finds them knows that TOC must be restored.
-// TOC comes before the program: the silence counts from then, and earlier silence no longer matters.
+// V49, the axes, is written first. It has no effect alone, and tells a console that finds it that TOC must be
+// restored. TOC comes before the program: the silence counts from then, and earlier silence no longer
+// matters.
 Task<Result<>> GuardThread::start(unsigned axes) {
   const int program = guard_program(console_.model());
   if (auto sent = co_await set(variable(guard_axes_variable), axes); !sent) co_return sent;
@@ -219,7 +224,7 @@ Task<Result<>> GuardThread::start(unsigned axes) {
   auto runs = co_await conversation_.ask_number(fmt::format("SASTAT{}", program), Priority::intent);
   if (!runs) co_return fail(runs.error());
   if (*runs == 1) co_return Result<>();
-  co_return fail(FaultKind::controller, fmt::format("Program {} does not run.", program));
+  co_return fail(FaultKind::controller, fmt::format("Program {} is not running.", program));
 }
 
 // The program ends by itself when no axis is left, and restores TOC; a stop may have ended it before.
@@ -276,7 +281,8 @@ Task<Result<>> GuardThread::look() {
   co_return Result<>();
 }
 
-/// From a console that died during a held jog: the next round restores V49 and TOC if all axes stand.
+/// Takes over from a console that died during a held jog: the next round restores V49 and TOC if all axes
+/// stand.
 Task<Result<>> GuardThread::take_over() {
   auto axes = co_await conversation_.ask_number(variable(guard_axes_variable), Priority::poll);
   if (!axes) co_return fail(axes.error());

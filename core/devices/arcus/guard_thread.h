@@ -43,13 +43,15 @@ class GuardThread {
   /// The guard's state is unknown until look() has read it.
   void forget();
   [[nodiscard]] bool at_work() const { return watched_ != 0; }
+  /// Refuses to write the program memory while the guard watches a jog.
+  [[nodiscard]] Result<> may_be_overwritten() const;
 
  private:
   Task<Result<>> may_install();
   Task<Result<std::int64_t>> try_time_out();
   Task<Result<>> start(unsigned axes);
   Task<Result<>> still_there();
-  Task<Result<>> time_out_is_as_it_was();
+  Task<Result<>> confirm_time_out_unchanged();
   Task<Result<>> take_over();
   void is_installed(std::vector<std::string> lines, std::int64_t time_out);
   void is(JogGuard::State state);

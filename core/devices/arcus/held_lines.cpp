@@ -23,7 +23,7 @@ void HeldLines::was_read(int line, std::string text) {
   if (is_stored_line(line)) lines_[ix(line)] = std::move(text);
 }
 
-// SA12=...; any other spelling may write any line, so all are forgotten.
+// SA12=... writes one line. Any other spelling may write any line, so all lines are forgotten.
 void HeldLines::goes_out(std::string_view command) {
   const auto equals = command.find('=');
   if (!command.starts_with("SA") || equals == command.npos) return;

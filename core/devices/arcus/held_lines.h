@@ -15,7 +15,7 @@ class HeldLines {
   /// Null: not known.
   [[nodiscard]] const std::string* known(int line) const;
   void was_read(int line, std::string text);
-  /// Call before the command is sent: it may act unconfirmed.
+  /// Call before the command is sent: it may take effect even if it is not confirmed.
   void goes_out(std::string_view command);
   /// Another host may have written.
   void forget();

@@ -16,7 +16,7 @@ bool LimitSwitches::glance_is_due() const {
   return now < watched_until_ && now - glanced_at_ >= glance_every;
 }
 
-// A fault here also shows on the question that follows.
+// A fault here is ignored: it also shows on the question that follows.
 Task<> LimitSwitches::glance() {
   glanced_at_ = console_.scheduler.now();
   auto words = co_await conversation_.ask_numbers(std::string(console_.forms.status),

@@ -12,7 +12,7 @@ bool Lines::glance_is_due() const {
   return now < watched_until_ && now - glanced_at_ >= glance_every;
 }
 
-// A fault here also shows on the question that follows.
+// A fault here is ignored: it also shows on the question that follows.
 Task<> Lines::glance() {
   glanced_at_ = console_.scheduler.now();
   auto inputs = co_await conversation_.ask_number("DI", Priority::poll);
@@ -50,7 +50,7 @@ Task<Result<>> Lines::read(Priority priority) {
                                 static_cast<std::uint64_t>(*enables);
     if (!look_.agrees(lines, conversation_.times_cleaned())) {
       if (!again) continue;
-      break;  // what was shown keeps its age
+      break;  // the values shown keep their age
     }
     if (inputs_asked_at >= console_.snapshot.inputs_asked_at) show_inputs(*inputs, inputs_asked_at);
     console_.snapshot.outputs = static_cast<std::uint32_t>(*outputs);
@@ -78,7 +78,7 @@ Task<Result<>> Lines::set_power(intent::SetPower request) {
 Task<Result<>> Lines::set_output(intent::SetOutput request) {
   if (request.number < 1 || request.number > console_.model().outputs)
     co_return fail(FaultKind::refused,
-                   fmt::format("There is no output {}: there are DO1 to DO{}.", request.number,
+                   fmt::format("There is no output {}: outputs are DO1 to DO{}.", request.number,
                                console_.model().outputs),
                    "Nothing was sent.");
   auto set = co_await conversation_.command(set_command(fmt::format("DO{}", request.number), request.on),
@@ -90,7 +90,7 @@ Task<Result<>> Lines::set_output(intent::SetOutput request) {
   if (shows == request.on) co_return Result<>();
   co_return fail(
       FaultKind::controller,
-      fmt::format("DO{} stays {}: {}.", request.number, shows ? "on" : "off", who_has(request.number)),
+      fmt::format("DO{} stays {}: {}.", request.number, shows ? "on" : "off", holder_of(request.number)),
       fmt::format("The controller has accepted DO{}={} and remembers it.", request.number,
                   request.on ? 1 : 0),
       "It takes effect as soon as the output is free.");
@@ -107,7 +107,7 @@ Task<Result<>> Lines::switch_tool_off(ToolOff tool) {
 }
 
 // Decisions AMB-087, AMB-091.
-std::string Lines::who_has(int output) const {
+std::string Lines::holder_of(int output) const {
   constexpr int in_position_output = 1, alarm_output = 3;
   const bool shown_by_outputs =
       setup_.setting(Setting::status_outputs).value_or(0) != 0 && console_.snapshot.axes[0].in_counts;

@@ -23,13 +23,13 @@ class Lines {
   /// Sends each command even if another fails. The next round reads the outputs.
   Task<Result<>> switch_tool_off(ToolOff tool);
 
-  /// The user's own text may have switched a motor: the next round reads.
+  /// The user's own text may have switched a motor: the next round reads the lines.
   void look_soon() { due_ = true; }
   /// True once.
   [[nodiscard]] bool are_due() { return std::exchange(due_, false); }
 
  private:
-  [[nodiscard]] std::string who_has(int output) const;
+  [[nodiscard]] std::string holder_of(int output) const;
   void show_to_watchers(std::int64_t inputs);
   void show_inputs(std::int64_t inputs, Instant asked_at);
 

@@ -13,7 +13,7 @@ class LiveStatus {
   LiveStatus(const Console& console, Conversation& conversation, MotionStatus& status, Threads& threads)
       : console_(console), conversation_(conversation), status_(status), threads_(threads) {}
 
-  /// Only if a round is due.
+  /// Reads the status if a round is due.
   Task<> read();
 
  private:

@@ -43,7 +43,7 @@ Task<Result<>> MotionStatus::read_counters(Priority priority) {
   if (!encoders) co_return fail(encoders.error());
   auto speeds = co_await conversation_.ask_numbers(std::string(console_.forms.speeds), axes, priority);
   if (!speeds) co_return fail(speeds.error());
-  if (asked_at < asked_at_) co_return Result<>();  // overtaken: a stop's own round is newer
+  if (asked_at < asked_at_) co_return Result<>();  // a stop's own round has overtaken this one
   asked_at_ = asked_at;
   take_status(*status);
   for (int i = 0; i < console_.axes(); ++i) {
@@ -106,7 +106,7 @@ Task<Result<>> MotionStatus::read_loops(Priority priority) {
   co_return Result<>();
 }
 
-// After a command that moves had no clear reply: the state is read, nothing is sent again.
+// Called after a command that moves had no clear reply. Reads the state; nothing is sent again.
 Task<Fault> MotionStatus::after_doubt(Fault why, std::string_view sent) {
   Fault fault = std::move(why);
   if (fault.kind != FaultKind::no_answer && fault.kind != FaultKind::garbled) co_return fault;
@@ -114,7 +114,7 @@ Task<Fault> MotionStatus::after_doubt(Fault why, std::string_view sent) {
   std::string where;
   for (int i = 0; seen && i < console_.axes(); ++i)
     where += fmt::format("{}{} {} at {}", i ? ", " : "", console_.axis_name(i),
-                         motions_.reports_motion(i) ? "moves" : "stands",
+                         motions_.reports_motion(i) ? "is moving" : "is at rest",
                          console_.snapshot.axes[i].position.value);
   fault.what = fmt::format("{} had no clear reply.", sent);
   fault.done = "It was sent once and is not repeated.";

@@ -24,12 +24,12 @@ bool loop_stops(int state) {
   return state == static_cast<int>(LoopState::stopping) || state == static_cast<int>(LoopState::aborting);
 }
 
-/// Neither slowing down nor correcting: after a stop this is the next motion.
+/// Whether the loop is neither slowing down nor correcting: after a stop, this is the next motion.
 bool loop_sets_out(int state) {
   return loop_works(state) && !loop_stops(state) && state != static_cast<int>(LoopState::correcting);
 }
 
-/// The motor or its encoder did not follow: which of the two counts is true is unknown.
+/// The motor or its encoder did not follow, so it is unknown which of the two counts is true.
 bool loses_its_place(AxisError error) {
   return error == AxisError::stalled || error == AxisError::too_far || error == AxisError::not_corrected;
 }
@@ -65,7 +65,7 @@ void Motions::begun(int index, Activity activity, Instant when) {
   tracking.at_rest_at = rests ? axis.seen_at : Instant{};
   tracking.at_rest = axis.position;
   begin_motion(axis, activity);
-  axis.error = AxisError::none;  // the same one again is a new one, also if no round sees it move
+  axis.error = AxisError::none;  // a later error of this kind is new, even if no round sees a motion
   console_.snapshot.program.ended_by = EndedBy::nothing;
 }
 
@@ -196,7 +196,7 @@ void Motions::show(int index, Instant asked_at) {
   AxisTracking& tracking = tracked_[ix(index)];
   AxisState& axis = console_.snapshot.axes[index];
   if (tracking.begun_at > asked_at) return;
-  if (tracking.stopping) {  // until the stop has seen it stand
+  if (tracking.stopping) {  // until the stop has seen the axis stand
     axis.activity = Activity::stopping;
     return;
   }
@@ -298,7 +298,7 @@ EndedBy Motions::how_it_ended(int axis) const {
   return EndedBy::elsewhere;
 }
 
-/// A motion of the console without a target, which nothing that is known has ended.
+/// A motion of the console without a target that has ended for no known reason.
 bool Motions::was_cut_short(int index) const {
   const AxisTracking& tracking = tracked_[ix(index)];
   const AxisState& axis = console_.snapshot.axes[index];

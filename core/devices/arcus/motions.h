@@ -16,7 +16,7 @@ class Motions {
 
   // ---- commands of the console
   void begun(int axis, Activity activity, Instant at);
-  /// One command moves all of these.
+  /// One command moves all these axes.
   void begun_together(const std::vector<int>& axes, Activity activity);
   /// The motion just begun ends at `target`; speed 0: the axis's own.
   void goes_to(int axis, Steps target, Pps speed);
@@ -24,7 +24,7 @@ class Motions {
   void searches(int axis, Sign side, Pps speed);
   /// The target was changed during the motion.
   void goes_elsewhere(int axis, Steps target);
-  /// Another motion of that axis: the console's own has ended.
+  /// Another motion of that axis begins: the console's own has ended.
   void another_begins(int axis);
   /// Marks the axis as being stopped, if it moves; -1: all axes.
   void stopping(int axis, bool at_once);
@@ -35,15 +35,15 @@ class Motions {
 
   // ---- readings
   void status_is(int axis, std::int64_t word) { tracked_[static_cast<std::size_t>(axis)].status = word; }
-  /// Its position has changed by `way`.
+  /// The position of the axis has changed by `way`.
   void turned(int axis, Steps way);
-  /// Its position and speed were read.
+  /// The position and speed of the axis were read.
   void seen(int axis);
   void loop_is(int axis, std::int64_t state);
   /// False: a newer reply is already known.
   bool take_loop(int axis, std::int64_t state, Instant asked_at);
   void loops_are_unknown();
-  /// Unless it is off.
+  /// The state of the loop is unknown, unless the loop is off.
   void loop_is_unknown(int axis);
   /// Shows the axis by replies to questions asked at `asked_at` or later.
   void show(int axis, Instant asked_at);
@@ -52,7 +52,7 @@ class Motions {
   void wire_lost();
 
   // ---- conclusions
-  [[nodiscard]] bool runs(int axis) const;  ///< as last read, whatever is shown
+  [[nodiscard]] bool runs(int axis) const;  ///< as last read, even if another state is shown
   [[nodiscard]] bool reports_motion(int axis) const;
   [[nodiscard]] bool loop_is_off(int axis) const;
   [[nodiscard]] AxisError error_of(int axis) const;

@@ -64,7 +64,7 @@ void MoveList::begin(std::vector<std::vector<std::int64_t>> rows) {
 }
 
 // A move is taken from the list before it is sent, so it is never sent twice, whatever the reply. Only the
-// reply that the buffer is full proves that it was not taken.
+// reply that the buffer is full proves that the controller did not take it.
 Task<Result<>> MoveList::feed(std::function<void()> moves) {
   if (console_.snapshot.pieces.held) co_return Result<>();
   // A status round takes as long as a few moves: more are sent before the buffer runs dry.

@@ -30,7 +30,7 @@ class MoveList {
 
  private:
   void broken_off(Fault why);
-  /// For pieces: no faster than the next moves can be sent.
+  /// The speed of a row. In pieces, it is no higher than the wire allows for sending the next moves.
   [[nodiscard]] std::int64_t speed_of(const std::vector<std::int64_t>& row);
   void row_took(Duration time);
 

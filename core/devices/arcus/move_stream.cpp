@@ -22,8 +22,8 @@ class Streamer final : public ActWriter {
   Result<std::optional<Pieces>> run() {
     pieces_.tool = tool_off_of(draft_.sequence, static_cast<int>(draft_.catalog.outputs.size()));
     pieces_.remark =
-        "It goes through the controller's buffer. Lines that end before the next could be sent are drawn "
-        "more slowly.";
+        "The drawing goes through the controller's buffer. Lines too short to send the next line in time are "
+        "drawn more slowly.";
     for (std::uint8_t axis = 0; axis < buffer_axes; ++axis)
       pieces_.open_loops.push_back({AxisId{axis}, "SL" + draft_.catalog.axes[axis].name});
     set("IACC", 1);  // ramps between its moves
@@ -52,7 +52,7 @@ class Streamer final : public ActWriter {
     if (steps->ramp_ms != 0) set("ACC", std::max<std::int64_t>(std::llround(steps->ramp_ms), 1));
     return {};
   }
-  /// An axis that was not moved stays.
+  /// Moves the axes of the buffer; an axis without a target stays where it is.
   Result<> go(const seq::OwnSpeeds& own) override {
     const auto speeds = draft_.speeds_of(0, own);
     if (!speeds) return fail(speeds.error());
@@ -87,7 +87,7 @@ class Streamer final : public ActWriter {
   }
   void set(const std::string& parameter, std::int64_t value) {
     flush();
-    piece_.does.push_back({intent::SetParam(parameter, value, true)});  // also for what begins later
+    piece_.does.push_back({intent::SetParam(parameter, value, true)});  // also for pieces that begin later
   }
   void end_piece() override {
     if (piece_.does.empty()) return;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/homing.h"
 #include "core/device/target_check.h"
 #include "core/devices/arcus/catalog_params.h"
 
@@ -35,7 +36,7 @@ Task<Result<bool>> Moves::ask_incremental() {
 Task<Result<std::int64_t>> Moves::ask_position(int axis) {
   std::string question = fill(console_.forms, console_.forms.position, axis);
   Conversation::Decode decode = decode_number;
-  auto position = co_await conversation_.ask_surely(
+  auto position = co_await conversation_.ask_confirmed(
       std::move(question), std::move(decode), console_.snapshot.axes[axis].position.value, Priority::intent);
   if (position || !console_.snapshot.axes[axis].position_known || position.error().kind != FaultKind::garbled)
     co_return position;
@@ -57,7 +58,7 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> request, intent::Pace pace, b
     const int axis = t.axis.index;
     if (auto may = console_.has_axis(axis); !may) co_return may;
     std::int64_t here = console_.snapshot.axes[axis].position.value;
-    // Otherwise the mode takes the number as it is, and the move begins where the axis was seen at rest.
+    // Otherwise the number is sent as it is, and the move begins where the axis was seen at rest.
     if (relative != *incremental || console_.snapshot.axis_moves(axis)) {
       auto read = co_await ask_position(axis);
       if (!read) co_return fail(read.error());
@@ -111,9 +112,7 @@ Task<Result<>> Moves::jog(intent::JogStart request) {
 Task<Result<>> Moves::home(intent::Home request) {
   const int axis = request.axis.index;
   if (auto may = console_.has_axis(axis); !may) co_return may;
-  if (request.mode < 0 || request.mode >= static_cast<int>(console_.forms.homes.size()))
-    co_return fail(FaultKind::refused, fmt::format("There is no homing mode {}.", request.mode),
-                   "Nothing was sent.");
+  if (auto may = check_home(console_.catalog, request); !may) co_return may;
   auto borrowed = co_await borrow_pace(request.pace, axis);
   if (!borrowed) co_return borrowed;
   watch_.counters_may_be_set();  // also if the reply is lost and the state is read afresh
@@ -181,7 +180,7 @@ Task<Result<>> Moves::set_position(intent::SetPosition request) {
     if (!set) {
       if (console_.snapshot.axes[axis].in_counts && set.error().kind == FaultKind::refused)
         set.error().advice = fmt::format(
-            "While StepNLoop of {} is on its position follows the encoder: set the encoder counter instead.",
+            "Set the encoder counter instead: while StepNLoop of {} is on, its position follows the encoder.",
             console_.axis_name(axis));
       co_return set;
     }

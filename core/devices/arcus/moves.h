@@ -28,7 +28,7 @@ class Moves {
   Task<Result<>> set_position(intent::SetPosition request);
   Task<Result<>> set_encoder(intent::SetEncoder request);
 
-  /// One command that moves these axes.
+  /// Sends one command that moves these axes.
   Task<Result<>> start(std::string text, std::vector<int> axes, Activity activity);
   /// Reads the present mode: a program or another terminal may have changed it since the last round.
   Task<Result<bool>> ask_incremental();

@@ -42,7 +42,7 @@ class PlaceReader {
     const auto& programs = program_.programs;
     if (number < 0 || ix(number) >= programs.size() || !programs[ix(number)]) return;
     if (std::exchange(read_[ix(number)], true)) return;
-    const int starter = std::exchange(depth_, 0);  // each has a stack of its own
+    const int starter = std::exchange(depth_, 0);  // each thread has a stack of its own
     const auto of_starter = std::exchange(at_error_, std::nullopt);
     read_from(*programs[ix(number)], standing);
     may_fail(standing);
@@ -55,7 +55,7 @@ class PlaceReader {
   [[nodiscard]] std::vector<AxisTarget> places() && { return std::move(places_); }
 
  private:
-  /// From the line of its head to the next one.
+  /// Reads from the line of a head to the next head.
   void read_from(std::size_t head, Standing& standing) {
     if (depth_ > language::max_call_depth) return;  // the program itself is no call
     ++depth_;
@@ -81,8 +81,8 @@ class PlaceReader {
       default: break;
     }
   }
-  /// The error subroutine may start at any statement, long behind the motion that failed: it can count only
-  /// on what holds at each of them.
+  /// The error subroutine may start at any statement, long behind the motion that failed: it can rely only on
+  /// facts that hold at each of them.
   void may_fail(const Standing& standing) {
     if (!at_error_) {
       at_error_ = standing;

@@ -50,7 +50,7 @@ class Rehearsing {
   }
 
   Result<> set_bench() { return BenchSchedule::act(options_.bench, emulator_); }
-  Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
+  Result<> set_bench(const BenchFile& bench) { return bench_schedule_.begin(bench, emulator_); }
 
   Rehearsal run() {
     for (std::size_t n = 0; n < made_.lines.size(); ++n)
@@ -94,7 +94,8 @@ class Rehearsing {
            controller_.program_place(program_) != before;
   }
 
-  /// Lines from its beginning to that of the next program, its subroutines included.
+  /// Whether a line belongs to the started program: from its beginning to that of the next program,
+  /// subroutines included.
   [[nodiscard]] bool is_of_started(int line) const {
     const auto& begins = made_.program.programs;
     const auto own = begins[ix(program_)];
@@ -109,7 +110,7 @@ class Rehearsing {
     while (any_program_runs() || moves()) {
       std::optional<Instant> next =
           emulator_.next_event();  // each turn of an axis is one: extremes are exact
-      for (const auto& other : {hands_.next(), track_.next()})
+      for (const auto& other : {bench_schedule_.next(), track_.next()})
         if (other) next = std::min(next.value_or(*other), *other);
       if (!next || *next > last) return out_of_time(last, trace);
       const int command = command_at_work();
@@ -117,7 +118,7 @@ class Rehearsing {
       now_ = std::max(now_, *next);
       emulator_.advance_to(now_);
       if (ends_delay(command)) result_.at_work(seconds(now_), command + 1);
-      hands_.act_until(now_, emulator_);
+      bench_schedule_.act_until(now_, emulator_);
       track_.look(now_);
       collect(trace);
     }
@@ -126,7 +127,7 @@ class Rehearsing {
   }
 
   void out_of_time(Instant last, std::vector<Controller::Trace>& trace) {
-    const bool nothing_comes = !emulator_.next_event() && !hands_.next();
+    const bool nothing_comes = !emulator_.next_event() && !bench_schedule_.next();
     now_ = std::max(now_, last);
     emulator_.advance_to(now_);
     collect(trace);
@@ -200,9 +201,9 @@ class Rehearsing {
   const language::Compilation& made_;
   const RehearseOptions& options_;
   const Catalog& catalog_;
-  const int program_;  ///< that is started
+  const int program_;  ///< the program that is started
   ProgramWatch watch_;
-  BenchSchedule hands_;
+  BenchSchedule bench_schedule_;
   TrackKeeper track_;
   Instant now_{};
   std::array<std::int64_t, max_axes> turned_{};  ///< pulses made until the last look
@@ -216,7 +217,8 @@ Result<> without_errors(const language::Compilation& made, const char* done) {
   return {};
 }
 
-/// A text without the program to start would seem to go well. An empty text has nothing to start.
+/// Refuses a text without the program to start, which would seem to succeed. An empty text has nothing to
+/// start.
 Result<> with_program(const language::Compilation& made, int wanted) {
   const auto& programs = made.program.programs;
   const auto start = ix(std::clamp(wanted, 0, static_cast<int>(programs.size()) - 1));
@@ -268,9 +270,9 @@ Result<SequenceText> ProgramLanguage::write(const sequence::Sequence& sequence,
   return write_sequence(sequence, catalog, dialect_);
 }
 
-Result<SequenceText> ProgramLanguage::write_what_can_be(const sequence::Sequence& sequence,
-                                                        const Catalog& catalog,
-                                                        std::vector<RefusedStep>& refused) const {
+Result<SequenceText> ProgramLanguage::write_with_gaps(const sequence::Sequence& sequence,
+                                                      const Catalog& catalog,
+                                                      std::vector<RefusedStep>& refused) const {
   return write_sequence(sequence, catalog, dialect_, &refused);
 }
 

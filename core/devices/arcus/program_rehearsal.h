@@ -27,9 +27,9 @@ class ProgramLanguage final : public Language, public PartialWriter, public Plac
                                            const RehearseOptions& options) const override;
   [[nodiscard]] Result<SequenceText> write(const sequence::Sequence& sequence,
                                            const Catalog& catalog) const override;
-  [[nodiscard]] Result<SequenceText> write_what_can_be(const sequence::Sequence& sequence,
-                                                       const Catalog& catalog,
-                                                       std::vector<RefusedStep>& refused) const override;
+  [[nodiscard]] Result<SequenceText> write_with_gaps(const sequence::Sequence& sequence,
+                                                     const Catalog& catalog,
+                                                     std::vector<RefusedStep>& refused) const override;
   /// A sequence that fits into program memory becomes a program; straight lines of a longer one go through
   /// the buffer.
   [[nodiscard]] Result<Pieces> in_pieces(const sequence::Sequence& sequence, const Catalog& catalog,

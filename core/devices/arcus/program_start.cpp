@@ -23,7 +23,7 @@ void each_setting(const Model& model, Visit visit) {
     for (int place = 0; place < fact.count; ++place) visit(fact.id, place, param++);
 }
 
-/// Loops last, when the units they count in are set up.
+/// Loops come last, when the units that they count in are set up.
 void set_up(Controller& controller, const ControllerState& state, const Catalog& catalog) {
   for (const bool loops : {false, true})
     each_setting(controller.model(), [&](Setting id, int place, std::size_t param) {
@@ -65,7 +65,7 @@ void stand(Controller& controller, int i, const AxisState& now) {
     controller.operate_alarm(i, !axis.alarm_operated);
 }
 
-/// DI gives levels after the polarity that is set up.
+/// Operates the inputs until the emulator's DI shows the known levels, which depend on the polarity.
 void hold_inputs(Controller& controller, const Snapshot& now) {
   for (int n = 1; n <= controller.model().inputs; ++n) {
     const std::uint32_t bit = 1u << (n - 1);
@@ -134,11 +134,11 @@ bool looks_at_latch(language::Quantity q) {
 }
 
 /// Axes (bits) whose latch or sync output is read before the program has armed it or switched it off.
-struct LooksFirst {
+struct UnarmedReads {
   std::uint32_t at_latch = 0, at_sync = 0;
 };
-LooksFirst looks_first(const language::Program& program) {
-  LooksFirst first;
+UnarmedReads unarmed_reads(const language::Program& program) {
+  UnarmedReads first;
   std::uint32_t latch_is_set = 0, sync_is_set = 0;
   for (const language::Instruction& i : program.code) {
     for (const language::Operand& value : i.values) {
@@ -156,7 +156,7 @@ LooksFirst looks_first(const language::Program& program) {
 
 void name_unarmed(std::vector<RehearsedAssumption>& all, const ControllerState& state, const Catalog& catalog,
                   const language::Program& program) {
-  const LooksFirst first = looks_first(program);
+  const UnarmedReads first = unarmed_reads(program);
   for (const ReadoutInfo& info : catalog.readouts) {
     const bool latch = info.group == latches, sync = info.group == sync_outputs;
     if ((!latch && !sync) || info.axis < 0 || info.id.back() != 'S') continue;
@@ -177,7 +177,7 @@ bool on_duty(const OutputDuty& duty, const ControllerState& state, const Catalog
          });
 }
 
-/// A program that ends the duty of an output exposes the value written to it before.
+/// Names the values written to hidden outputs: a program that ends the duty of an output exposes that value.
 void name_hidden(std::vector<RehearsedAssumption>& all, const ControllerState& state, const Catalog& catalog,
                  const language::Program& program) {
   const bool ends_duties =
@@ -188,7 +188,7 @@ void name_hidden(std::vector<RehearsedAssumption>& all, const ControllerState& s
       });
   for (const OutputInfo& output : catalog.outputs)
     if (ends_duties && on_duty(output.duty, state, catalog))
-      all.push_back({output.name + " behind its duty", "as at power-up"});
+      all.push_back({"last value written to " + output.name, "as at power-up"});
 }
 
 /// Variables whose first use is a read.
@@ -215,7 +215,7 @@ void ArcusEmulator::begin_like(const ControllerState& state, const Catalog& cata
 void begin_like(ArcusEmulator& emulator, const ControllerState& state, const Catalog& catalog) {
   Controller& controller = emulator.controller();
   const Snapshot& now = state.now;
-  controller.host_talks = true;  // the console does
+  controller.host_talks = true;  // the console talks to it
   set_up(controller, state, catalog);
   controller.set_incremental(incremental(state, catalog));
   for (int n = 0; n < variables; ++n)

@@ -14,15 +14,15 @@ constexpr std::size_t most_stops = 200;
 
 std::string why_a_value_fails(const language::Instruction& i, const language::Dialect& dialect) {
   const std::string name = spell(dialect, i.target), value = spell(dialect, i.values[0]);
-  return name + " cannot be given " + (value.front() == 'V' ? "the value of " + value : value) + " here.";
+  return name + " cannot be set to " + (value.front() == 'V' ? "the value of " + value : value) + " here.";
 }
 
 std::string why_an_axis_fails(Refusal held_by) {
   switch (held_by) {
     case Refusal::limit_error:
-      return "a limit switch has stopped an axis of it, and nothing cleared the error.";
-    case Refusal::alarm: return "an axis of it has an alarm.";
-    case Refusal::loop_error: return "an axis of it has a StepNLoop error.";
+      return "a limit switch has stopped one of its axes, and nothing has cleared the error.";
+    case Refusal::alarm: return "one of its axes has an alarm.";
+    case Refusal::loop_error: return "one of its axes has a StepNLoop error.";
     default: return "the controller refuses this motion.";
   }
 }
@@ -35,7 +35,7 @@ std::string why_it_fails(const language::Instruction& i, const language::Program
     case Opcode::compute: return "a division by zero.";
     case Opcode::set: return why_a_value_fails(i, dialect);
     case Opcode::gosub:
-      return program.subs[ix(i.values[0].number)] ? "it calls deeper than eight subroutines."
+      return program.subs[ix(i.values[0].number)] ? "its calls nest more than eight deep."
                                                   : "there is no such subroutine.";
     case Opcode::endsub: return "nothing has called this subroutine.";
     case Opcode::empty:
@@ -173,7 +173,7 @@ ProgramWatch::Unfinished ProgramWatch::still_running(int program, bool nothing_c
     result.sentence += ": the loop of lines " + std::to_string(first + 1) + " to " + std::to_string(last + 1);
     result.sentence += for_ever        ? " has no end"
                        : nothing_comes ? " waits for a value that nothing changes"
-                                       : " was going round";
+                                       : " had not ended";
   }
   result.sentence += ".";
   return result;
@@ -189,7 +189,7 @@ ProgramWatch::Unfinished ProgramWatch::still_moving(bool nothing_comes) {
       result.sentence = fmt::format("Axis {} was still moving when the rehearsal ended",
                                     controller_.model().axis_letters[ix(a)]);
       if (const int by = source_line(line); by >= 0)
-        result.sentence += "; line " + std::to_string(by + 1) + " sent it on its way";
+        result.sentence += "; line " + std::to_string(by + 1) + " started the move";
       result.sentence += ".";
     }
   stopped(line, result.sentence);

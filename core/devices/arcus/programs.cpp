@@ -19,16 +19,16 @@ std::string foreign_lines(const std::vector<language::BadLine>& bad, const std::
   const int first = bad.front().line;
   return fmt::format(
       "{} line{} of the stored code cannot be read here: {}line {} ({}). {} in the text as {}. Another "
-      "program may have written the code. If you send the text back unchanged, it leaves {} out.",
+      "program may have written the code. If you send the text back unchanged, the controller loses {}.",
       bad.size(), one ? "" : "s", one ? "" : "the first is ", first, lines[ix(first)],
-      one ? "It stands" : "They stand", one ? "a comment" : "comments", one ? "it" : "them");
+      one ? "It appears" : "They appear", one ? "a comment" : "comments", one ? "it" : "them");
 }
 
 std::string stored_lines(int count, int written) {
   const std::string what = written == 0   ? "nothing had to be written"
                            : written == 1 ? "1 was written and compared"
                                           : fmt::format("{} were written and compared", written);
-  return fmt::format("{} of {} lines {} stored: {}. {} when the power goes.", count, program_lines,
+  return fmt::format("{} of {} lines {} stored: {}. {} when the power goes off.", count, program_lines,
                      count == 1 ? "is" : "are", what, count == 1 ? "It stays" : "They stay");
 }
 
@@ -52,7 +52,7 @@ Task<Result<>> Programs::perform(IntentBody body) {
   if (const auto* i = std::get_if<RunProgram>(&body)) co_return co_await run(i->slot);
   if (const auto* i = std::get_if<Pause>(&body)) co_return co_await control_all(i->thread, thread_pause);
   if (const auto* i = std::get_if<Resume>(&body)) co_return co_await control_all(i->thread, thread_continue);
-  co_return fail(FaultKind::refused, fmt::format("A {} cannot do that.", console_.model().title),
+  co_return fail(FaultKind::refused, fmt::format("A {} has no command for this.", console_.model().title),
                  "Nothing was sent.");
 }
 
@@ -60,10 +60,7 @@ Task<Result<>> Programs::perform(IntentBody body) {
 
 Task<Result<>> Programs::control(int thread, int what) {
   if (thread < 0 || thread >= console_.model().programs)
-    co_return fail(
-        FaultKind::refused,
-        fmt::format("There is no program {}: there are 0 to {}.", thread, console_.model().programs - 1),
-        "Nothing was sent.");
+    co_return threads_.no_program(thread, "Nothing was sent.");
   const std::string text = fmt::format("SR{}={}", thread, what);
   if (what == thread_run) console_.snapshot.program.ended_by = EndedBy::nothing;
   auto done = co_await conversation_.command(text, Priority::intent);
@@ -78,9 +75,8 @@ Task<Result<>> Programs::control(int thread, int what) {
   if (what == thread_run && now == RunState::error) {
     has_run(thread);
     co_return fail(FaultKind::controller,
-                   fmt::format("Program {} stopped with an error at line {} of its stored code.", thread,
-                               console_.snapshot.threads[ix(thread)].line),
-                   {}, "Check the program, and whether an axis has an error.");
+                   Threads::error_sentence(thread, console_.snapshot.threads[ix(thread)].line), {},
+                   "Check the program, and whether an axis has an error.");
   }
   co_return Result<>();
 }
@@ -123,7 +119,7 @@ void Programs::note_stored(const std::vector<std::string>& lines) {
 
 // All running or all held programs; or only `thread`, if it is one of them.
 Task<Result<>> Programs::control_all(int thread, int what) {
-  if (thread >= console_.model().programs) co_return co_await control(thread, what);  // which refuses
+  if (thread >= console_.model().programs) co_return co_await control(thread, what);  // control() refuses it
   auto read = co_await threads_.read(true, Priority::intent);
   if (!read) co_return read;
   const bool pauses = what == thread_pause;
@@ -138,18 +134,15 @@ Task<Result<>> Programs::control_all(int thread, int what) {
   }
   if (any) co_return Result<>();
   const std::string which = thread < 0 ? "No program" : fmt::format("Program {}", thread);
-  const char* not_so = thread < 0 ? (pauses ? "runs" : "is held") : (pauses ? "does not run" : "is not held");
+  const char* not_so =
+      thread < 0 ? (pauses ? "is running" : "is held") : (pauses ? "is not running" : "is not held");
   co_return fail(FaultKind::refused, fmt::format("{} {}.", which, not_so), "Nothing was sent.");
 }
 
 // The stored code is one text for all programs, and a new one replaces all of it. A text sent as a further
 // program must be that program, and must not remove others.
 Task<Result<>> Programs::may_be_program(int program, const language::Program& code) {
-  if (program >= console_.model().programs)
-    co_return fail(
-        FaultKind::refused,
-        fmt::format("There is no program {}: there are 0 to {}.", program, console_.model().programs - 1),
-        "Nothing was written.");
+  if (program >= console_.model().programs) co_return threads_.no_program(program, "Nothing was written.");
   if (!code.programs[ix(program)])
     co_return fail(FaultKind::refused,
                    fmt::format("This text is {}; begin it with PRG {}.",
@@ -158,7 +151,7 @@ Task<Result<>> Programs::may_be_program(int program, const language::Program& co
   auto there = co_await stored_.read();
   if (!there) co_return fail(there.error());
   note_stored(*there);
-  const bool guard = read_guard(*there, dialect_, console_.model()).has_value();  // it gives way to any text
+  const bool guard = read_guard(*there, dialect_, console_.model()).has_value();  // any text may replace it
   for (int n = 0; code_.known() && !guard && n < console_.model().programs; ++n)
     if (code_.known()->programs[ix(n)] && !code.programs[ix(n)])
       co_return fail(FaultKind::refused,
@@ -193,8 +186,7 @@ Task<Result<>> Programs::load(int program, std::string text) {
 
 // Number 0 reads the whole text, a further number that program alone.
 Task<Result<>> Programs::upload(int program) {
-  if (program >= console_.model().programs)
-    co_return fail(FaultKind::refused, fmt::format("There is no program {}.", program), "Nothing was sent.");
+  if (program >= console_.model().programs) co_return threads_.no_program(program, "Nothing was sent.");
   auto lines = co_await stored_.read();
   if (!lines) co_return fail(lines.error());
   note_stored(*lines);

@@ -22,13 +22,13 @@ class Readouts {
   void put(std::string_view id, std::int64_t value);
   /// The move mode as last read.
   [[nodiscard]] bool incremental() const { return incremental_; }
-  /// None: not read since the controller was connected or switched on.
+  /// The move mode; none: not read since the controller was connected or switched on.
   [[nodiscard]] std::optional<bool> known_incremental() const;
 
   /// The move mode, where the status does not contain it.
   Task<Result<>> read_mode(Priority priority);
   Task<Result<>> read_watched();
-  /// One readout that is not watched, one analog input.
+  /// Reads one readout that is not watched, and one analog input.
   Task<Result<>> read_in_turn();
   Task<Result<>> read_variable(int number, Priority priority);
   Task<Result<>> read_analog(int number, Priority priority);

@@ -15,7 +15,7 @@ unsigned RestartWatch::Reference::moved() const {
   return bits;
 }
 
-RestartWatch::Reference RestartWatch::where_all_stand() const {
+RestartWatch::Reference RestartWatch::reference_of_now() const {
   Reference stood;
   stood.seen_at = console_.scheduler.now();
   stood.misses = conversation_.misses();
@@ -35,19 +35,19 @@ void RestartWatch::goes_out(std::string_view command) {
   if (!reference_) return;
   const bool stops = ends_motion(command), moves = may_move(console_.forms, command);
   for (Reference::Axis& axis : reference_->axes)
-    if (moves || (stops && std::exchange(axis.sent_away, false))) axis.may_have_left = true;
+    if (moves || (stops && std::exchange(axis.sent_from_zero, false))) axis.may_have_left = true;
 }
 
-// No reading shows the motion yet, and the power may fail before the next; or the axis has arrived by then.
+// No reading shows the motion yet. Before the next reading the power may fail, or the axis may arrive.
 void RestartWatch::was_sent_to(int axis, Steps target) {
   if (!reference_) return;
   Reference::Axis& stood = reference_->axes[ix(axis)];
-  stood.sent_away = target != Steps(0);
+  stood.sent_from_zero = target != Steps(0);
   stood.then.towards_zero = std::max(stood.then.towards_zero, callbacks_.axis_now(axis).towards_zero);
 }
 void RestartWatch::jogs(int axis, Sign way) {
   if (reference_ && reference_->axes[ix(axis)].position.value * factor(way) >= 0)
-    reference_->axes[ix(axis)].sent_away = true;
+    reference_->axes[ix(axis)].sent_from_zero = true;
 }
 void RestartWatch::position_was_set(int axis, Steps position) {
   if (reference_) reference_->axes[ix(axis)].position = position;
@@ -64,29 +64,30 @@ void RestartWatch::forget() {
 
 // After power-up every counter reads zero wherever the motors stand. Texts that may set a counter, homing and
 // programs cause that too, and a motion may end there; a command that sets a position to the encoder's
-// explains no more than that. If the controller was silent in between, nothing is taken for granted:
-// look_at_motors() finds out. See also SetUp::read_what_power_keeps(), for a controller that stood at zero.
+// explains no more than that. If the controller was silent in between, no explanation counts:
+// look_at_motors() decides. See also SetUp::read_next_volatile(), for a controller that stood at zero.
 void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   if (!motion_is_whole() && !was_silent) return;  // readings may be from before and after a restart
   const bool unexplained = counters_.answered(look.counters);
   const bool targets_stay = targets_.answered(look.targets);
-  const auto before = std::exchange(reference_, where_all_stand());
+  const auto before = std::exchange(reference_, reference_of_now());
   if (!before) return;
   const bool silent = was_silent || reference_->misses != before->misses;
   const bool a_program_may = before->program_ran || reference_->program_ran;
   constexpr double between_two_looks = 1;  // s, and more where the wire was slow
   const double elapsed = between_two_looks + seconds(console_.scheduler.now() - before->seen_at);
   Change all;
-  bool stands_at_zero = true, others_at_zero = true, others_came_there = false;  // than those sent away
+  bool stands_at_zero = true, others_at_zero = true,
+       others_came_there = false;  // other axes than those sent away from zero
   for (int i = 0; i < console_.snapshot.axis_count; ++i) {
     const AxisState& axis = console_.snapshot.axes[i];
     const bool at_zero =
         !reference_->axes[ix(i)].then.runs && axis.position == Steps(0) && axis.encoder == Steps(0);
     const Change change = change_of(axis, before->axes[ix(i)], elapsed, targets_stay);
-    const bool sent_away = before->axes[ix(i)].sent_away;
+    const bool sent_from_zero = before->axes[ix(i)].sent_from_zero;
     stands_at_zero = stands_at_zero && at_zero;
-    others_at_zero = others_at_zero && (at_zero || sent_away);
-    others_came_there = others_came_there || (!sent_away && change.nearer);
+    others_at_zero = others_at_zero && (at_zero || sent_from_zero);
+    others_came_there = others_came_there || (!sent_from_zero && change.nearer);
     all.add(change);
   }
   // A program that reached zero and its end, all unseen, is less likely than a restart.
@@ -98,16 +99,15 @@ void RestartWatch::look_at_counters(const Look& look, bool was_silent) {
   if (came_there || others_did || (unseen_at_zero && before->program_ran))
     be_in_doubt(InDoubt{*before, stands_at_zero || others_did, !unexplained || !all.nearer});
   if (unexplained && stands_at_zero && all.jumped && !a_program_may)
-    return callbacks_.restarted("All positions read zero, and no command that was sent does this",
-                                before->moved());
+    return callbacks_.restarted("All positions read zero, although no command set them", before->moved());
 }
 
 RestartWatch::Change RestartWatch::change_of(const AxisState& now, const Reference::Axis& before,
                                              double elapsed_s, bool targets_stay) {
   const std::int64_t stood = std::abs(before.position.value), left = stood - before.then.room.value;
   const std::int64_t encoder = std::abs(before.encoder.value), here = std::abs(now.position.value);
-  const bool unmoved = now.error == AxisError::none;  // and no switch, nor its loop, has kept it there
-  const bool never_left = before.sent_away && unmoved && !now.in_counts;
+  const bool unmoved = now.error == AxisError::none;  // and neither a switch nor its loop has kept it there
+  const bool never_left = before.sent_from_zero && unmoved && !now.in_counts;
   const bool nearer = (before.then.moving ? left : stood) > here;
   const bool by_encoder = !targets_stay || before.then.to_encoder;
   const std::int64_t way = by_encoder ? std::min(left, encoder) : left;
@@ -116,7 +116,7 @@ RestartWatch::Change RestartWatch::change_of(const AxisState& now, const Referen
   Change change;
   change.nearer = never_left || (nearer && !by_itself && (!by_encoder || encoder > here));
   // The load of an axis that follows its encoder may be jammed.
-  change.may_be_nearer = nearer || ((before.sent_away || before.may_have_left) && unmoved);
+  change.may_be_nearer = nearer || ((before.sent_from_zero || before.may_have_left) && unmoved);
   change.jumped = static_cast<double>(way) > reach;
   return change;
 }
@@ -142,9 +142,9 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   motors_on_ = on;
   const bool as_after_power_up = after_power_up.value_or(0) == on;
   if (changed && as_after_power_up) {
-    callbacks_.restarted(fmt::format("Motor power {}, and no command that was sent does this",
-                                     on < *before ? "went off" : "came on"),
-                         zero_in_doubt_ ? zero_in_doubt_->before.moved() : 0);
+    callbacks_.restarted(
+        fmt::format("Motor power {}, although no command switched it", on < *before ? "went off" : "came on"),
+        zero_in_doubt_ ? zero_in_doubt_->before.moved() : 0);
     co_return Result<>();
   }
   if (!zero_in_doubt_) co_return Result<>();
@@ -156,7 +156,7 @@ Task<Result<>> RestartWatch::look_at_motors(const Look& look) {
   co_return Result<>();
 }
 
-/// While in doubt, no wait ends well.
+/// While a restart is in doubt, every wait fails.
 void RestartWatch::be_in_doubt(std::optional<InDoubt> doubt) {
   zero_in_doubt_ = std::move(doubt);
   console_.snapshot.working = zero_in_doubt_.has_value();
@@ -179,8 +179,7 @@ Task<Result<>> RestartWatch::decide(InDoubt in_doubt) {
   if (in_doubt.may_be_so)
     warn_of_doubt(in_doubt.before);
   else
-    callbacks_.restarted("It did not answer for a while, and then it counted from zero",
-                         in_doubt.before.moved());
+    callbacks_.restarted("It did not answer for a while, and now counts from zero", in_doubt.before.moved());
   co_return Result<>();
 }
 
@@ -192,10 +191,11 @@ void RestartWatch::warn_of_doubt(const Reference& before) {
     if (axis.position == Steps(0)) axis.trust.doubt(Doubt::after_silence, console_.scheduler.now());
   }
   if (before.program_ran) console_.snapshot.program.ended_by = EndedBy::lost;
-  console_.report(Notice::Kind::warning,
-                  "Check where the axes are, and home them before the next absolute move: replies were "
-                  "missing, and then all positions read zero. Either a command that was sent did this, or "
-                  "the controller was switched off and on.");
+  console_.report(
+      Notice::Kind::warning,
+      "Check where the axes are, and home them before the next absolute move: replies were "
+      "missing, and then all positions read zero. Either a command that was sent set them to zero, or the "
+      "controller was switched off and on.");
 }
 
 Task<Result<bool>> RestartWatch::a_program_runs() {
@@ -219,7 +219,8 @@ Task<Result<>> RestartWatch::look_at_start(int thread, Priority priority) {
   if (!starts_at_power_up && starts_at_power_up.error().kind != FaultKind::refused)
     co_return fail(starts_at_power_up.error());
   if ((starts_at_power_up.value_or(0) >> thread & 1) != 0)
-    callbacks_.restarted(fmt::format("Program {} runs, started by power-up and not by a command", thread), 0);
+    callbacks_.restarted(
+        fmt::format("Program {} is running, started by power-up and not by a command", thread), 0);
   co_return Result<>();
 }
 

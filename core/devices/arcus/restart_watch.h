@@ -15,7 +15,7 @@ namespace hw::arcus {
 
 class RestartWatch {
  public:
-  /// Facts about an axis beyond the snapshot.
+  /// Facts about an axis that are not in the snapshot.
   struct AxisNow {
     bool runs = false, moving = false;
     bool to_encoder = false;   ///< its stop under StepNLoop sets its position to the encoder's
@@ -73,8 +73,8 @@ class RestartWatch {
     struct Axis {
       Steps position, encoder;
       AxisNow then;
-      bool sent_away = false;      ///< from zero, and not stopped since
-      bool may_have_left = false;  ///< something sent may move it, or it was stopped on its way
+      bool sent_from_zero = false;  ///< the axis was sent away from zero, and not stopped since
+      bool may_have_left = false;   ///< something sent may move it, or it was stopped on its way
     };
     std::array<Axis, max_axes> axes{};
     Instant seen_at{};
@@ -82,9 +82,9 @@ class RestartWatch {
     bool program_ran = false;
     [[nodiscard]] unsigned moved() const;
   };
-  /// Between two looks, of one axis or of any.
+  /// The change between two looks, of one axis or of any axis.
   struct Change {
-    bool nearer = false;         ///< to zero than its known motion explains
+    bool nearer = false;         ///< nearer to zero than its known motion explains
     bool may_be_nearer = false;  ///< nearer for any reason, or it may have left zero
     bool jumped = false;         ///< farther than it can go in the time
     void add(const Change& other) {
@@ -98,10 +98,11 @@ class RestartWatch {
   /// All counters have come to zero unseen.
   struct InDoubt {
     Reference before;
-    bool at_zero;    ///< all of them, at rest; else a program from power-up may have moved since
+    bool at_zero;    ///< all axes are at rest at zero; else a program started by power-up may have moved them
+                     ///< since
     bool may_be_so;  ///< a sent command may explain it
   };
-  [[nodiscard]] Reference where_all_stand() const;
+  [[nodiscard]] Reference reference_of_now() const;
   Task<Result<bool>> a_program_runs();
   Task<Result<bool>> power_up_starts_a_program();
   void be_in_doubt(std::optional<InDoubt> doubt);

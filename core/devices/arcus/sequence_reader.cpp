@@ -24,8 +24,6 @@ using language::Opcode;
 using language::Operand;
 using language::Quantity;
 
-constexpr std::string_view no_such_axis = "an axis that the blocks do not have";
-
 class BlockReader {
  public:
   BlockReader(std::string_view source, const seq::Sequence& frame, const Catalog& catalog,
@@ -43,7 +41,7 @@ class BlockReader {
       out_.unit = catalog.step_word;
       for (seq::Axis& axis : out_.axes) axis.per_unit = 1;
       out_.remarks.push_back(fmt::format(
-          "Speeds apply to all axes, and the units of these axes differ: it is in {}.", out_.unit));
+          "Speeds apply to all axes, and the units of these axes differ: speeds are in {}.", out_.unit));
     }
     add_remarks(text_, compiled, remarks_);
   }
@@ -65,7 +63,8 @@ class BlockReader {
  private:
   enum class Mode : std::uint8_t { as_it_is, abs, inc, unclear };
 
-  /// The tool's routines are named behind their heads; others are no blocks.
+  /// Finds the tool's routines, which are named in a comment after their heads. Other subroutines become no
+  /// blocks.
   Result<> find_routines() {
     for (std::size_t i = 0; i < text_.statements.size(); ++i) {
       if (text_.at(i).op == Opcode::prg && (i > 0 || text_.at(i).values[0].number != 0))
@@ -122,7 +121,7 @@ class BlockReader {
       case Opcode::home_switch:
       case Opcode::jog: {
         const int place = place_of(s.axes.first());
-        if (place < 0) return leave(no_such_axis, i, i + 1, list);
+        if (place < 0) return leave(why::no_such_axis, i, i + 1, list);
         forget(place);
         if (s.op == Opcode::home_switch) return put(seq::Home{place, s.sign, {}}, i, i + 1, list);
         return put(seq::Jog{place, s.sign, {}}, i, i + 1, list);
@@ -130,7 +129,7 @@ class BlockReader {
       case Opcode::stop:
       case Opcode::abort: {
         const int place = s.axes.count() == 1 ? place_of(s.axes.first()) : -1;
-        if (s.axes.count() == 1 && place < 0) return leave(no_such_axis, i, i + 1, list);
+        if (s.axes.count() == 1 && place < 0) return leave(why::no_such_axis, i, i + 1, list);
         at_ = {};
         return put(seq::Stop{place, s.op == Opcode::abort}, i, i + 1, list);
       }
@@ -142,7 +141,7 @@ class BlockReader {
         at_ = {};
         return put(seq::Pen{down}, i, i + 1, list);
       }
-      default: return goes_by_mode(s.op) ? read_arc(i, list) : leave("no block does this", i, i + 1, list);
+      default: return goes_by_mode(s.op) ? read_arc(i, list) : leave(why::no_block, i, i + 1, list);
     }
   }
 
@@ -161,7 +160,7 @@ class BlockReader {
       case Quantity::enable:
         if (const int place = place_of(s.target.index - 1); place >= 0)
           return put(seq::Enable{place, value != 0}, i, i + 1, list);
-        return leave(no_such_axis, i, i + 1, list);
+        return leave(why::no_such_axis, i, i + 1, list);
       case Quantity::enables: return read_power_of_all(static_cast<std::uint32_t>(value), i, list);
       case Quantity::pulse_position:
       case Quantity::encoder_position: at_ = {}; [[fallthrough]];
@@ -172,7 +171,7 @@ class BlockReader {
   std::size_t read_power_of_all(std::uint32_t value, std::size_t i, ReadSteps& list) {
     const int count = static_cast<int>(dialect_.axes.size());
     for (int axis = 0; axis < count; ++axis)
-      if (place_of(axis) < 0) return leave(no_such_axis, i, i + 1, list);
+      if (place_of(axis) < 0) return leave(why::no_such_axis, i, i + 1, list);
     for (int axis = 0; axis < count; ++axis)
       put(seq::Enable{place_of(axis), ((value >> axis) & 1) != 0}, i, i + 1, list);
     return i + 1;
@@ -197,7 +196,7 @@ class BlockReader {
     remarks_.pass(list.back());
     return i + 1;
   }
-  /// WAITs of all axes in their order: until all stand still.
+  /// WAITs for all axes in their order are one step: wait until all stand still.
   std::size_t read_wait(std::size_t i, ReadSteps& list) {
     std::size_t behind = i;
     for (std::size_t a = 0; a < out_.axes.size() && behind < text_.statements.size(); ++a, ++behind)
@@ -206,7 +205,7 @@ class BlockReader {
         break;
     if (behind == i + out_.axes.size()) return put(seq::WaitMotion{}, i, behind, list);
     const int place = place_of(text_.at(i).axes.first());
-    if (place < 0) return leave(no_such_axis, i, i + 1, list);
+    if (place < 0) return leave(why::no_such_axis, i, i + 1, list);
     return put(seq::WaitMotion{place}, i, i + 1, list);
   }
 
@@ -217,8 +216,8 @@ class BlockReader {
   bool choose_mode(std::size_t i) {
     if (mode_ == Mode::as_it_is) {
       out_.remarks.push_back(
-          fmt::format("Line {} goes to a place or by a distance, depending on an earlier setting. Blocks "
-                      "make it go to a place, and their text contains ABS.",
+          fmt::format("Line {} moves to a place or by a distance, depending on an earlier setting. Blocks "
+                      "move to a place, and their text contains ABS.",
                       text_.statements[i].line + 1));
       out_.assumed["mode"] = "ABS";
       mode_ = Mode::abs;
@@ -231,7 +230,7 @@ class BlockReader {
     for (int axis = 0; axis < language::max_axes; ++axis) {
       if (!s.axes.has(axis)) continue;
       const int place = place_of(axis);
-      if (place < 0) return leave(no_such_axis, i, i + 1, list);
+      if (place < 0) return leave(why::no_such_axis, i, i + 1, list);
       if (!is_number(s.values[ix(axis)])) return leave("blocks have no variables", i, i + 1, list);
       move.to[ix(place)] = out_.units(place, s.values[ix(axis)].number);
     }
@@ -248,7 +247,7 @@ class BlockReader {
     const bool circle = s.op == Opcode::circle_clockwise || s.op == Opcode::circle_counterclockwise;
     const bool back = s.op == Opcode::circle_clockwise || s.op == Opcode::arc_clockwise;
     const seq::Plane plane{place_of(0), place_of(1)};
-    if (plane.right < 0 || plane.up < 0) return leave(no_such_axis, i, i + 1, list);
+    if (plane.right < 0 || plane.up < 0) return leave(why::no_such_axis, i, i + 1, list);
     seq::Arc arc{out_.units(plane.right, s.values[0].number),
                  out_.units(plane.up, s.values[1].number),
                  360,
@@ -283,7 +282,7 @@ class BlockReader {
 
   // ---- blocks
 
-  /// The mode once any of these statements may have been executed.
+  /// The move mode after statements of which any may have been executed.
   [[nodiscard]] Mode mode_behind(std::size_t from, std::size_t to) const {
     Mode mode = mode_;
     for (std::size_t i = from; i < to; ++i) {
@@ -301,8 +300,7 @@ class BlockReader {
   std::size_t read_condition(std::size_t i, ReadSteps& list) {
     const std::size_t end = text_.end_of[i];
     const Instruction& test = text_.at(i);
-    constexpr std::string_view why = "no block decides this";
-    if (!asks_input(test) || end < i + 2) return leave_block(why, i, end, list);
+    if (!asks_input(test) || end < i + 2) return leave_block(why::no_test, i, end, list);
     seq::MoveOnInput on_input;
     on_input.input = test.values[0].index, on_input.on = test.values[1].number != 0;
     std::size_t at = i + 1;
@@ -314,9 +312,9 @@ class BlockReader {
                        is_number(motion.values[ix(motion.axes.first())]);
     const bool known = moves || motion.op == Opcode::jog || motion.op == Opcode::home_switch;
     if (!known || at + 1 != end || (on_input.stops_first && text_.at(i + 1).axes != motion.axes))
-      return leave_block(why, i, end, list);
+      return leave_block(why::no_test, i, end, list);
     on_input.axis = place_of(motion.axes.first());
-    if (on_input.axis < 0) return leave_block(no_such_axis, i, end, list);
+    if (on_input.axis < 0) return leave_block(why::no_such_axis, i, end, list);
     if (moves && (!choose_mode(at) || mode_ != Mode::abs))
       return leave_block("no block decides whether to go by a distance", i, end, list);
     using Kind = seq::MoveOnInput::Kind;
@@ -334,12 +332,12 @@ class BlockReader {
       return put(seq::WaitInput{test.values[0].index, test.values[1].number == 0}, head, end + 1, list);
     const bool endless = is_number(test.values[0], 1) && is_number(test.values[1], 1) &&
                          test.comparison == language::Comparison::equal;
-    if (!counted && !endless) return leave_block("no loop of blocks continues like this", i, end, list);
-    if (depth_ + 2 > seq::deepest_loop) return leave_block("too deep for blocks", i, end, list);
+    if (!counted && !endless) return leave_block(why::no_such_loop, i, end, list);
+    if (depth_ + 2 > seq::deepest_loop) return leave_block(why::too_deep, i, end, list);
     if (counted && counted->variable != first_counter - depth_)
-      out_.remarks.push_back(fmt::format("The loop of line {} counts in V{}, as blocks do, not in V{}.",
-                                         text_.statements[head].line + 1, first_counter - depth_,
-                                         counted->variable));
+      out_.remarks.push_back(
+          fmt::format("The loop of line {} now counts in V{}, as blocks do, instead of V{}.",
+                      text_.statements[head].line + 1, first_counter - depth_, counted->variable));
     const std::size_t last = counted ? counted->count : end;
     mode_ = mode_behind(head + 1, last);
     at_ = {};
@@ -382,8 +380,7 @@ Result<SequenceRead> read_sequence(std::string_view text, const seq::Sequence& f
   const language::Compilation compiled = language::compile(text, dialect);
   for (const Problem& p : compiled.problems)
     if (p.error)
-      return fail(FaultKind::text, fmt::format("Line {}: {}", p.line + 1, p.sentence),
-                  "The blocks are as they were.");
+      return fail(FaultKind::text, fmt::format("Line {}: {}", p.line + 1, p.sentence), blocks_unchanged);
   auto read = BlockReader(text, frame, catalog, dialect, compiled).run();
   if (!read) return fail(read.error());
   ReadingLanguage language;

@@ -31,14 +31,14 @@ bool read_statements(std::string_view text, const language::Dialect& dialect, St
   return std::none_of(problems.begin(), problems.end(), [](const Problem& p) { return p.error; });
 }
 
-constexpr int uses_of_a_loop = 4;  // of its variable
+constexpr int uses_of_a_loop = 4;  // uses of its variable
 
 bool is_variable(const Operand& o, int n) { return o.kind == Operand::Kind::variable && o.number == n; }
 
 bool opens(Opcode op) { return op == Opcode::if_ || op == Opcode::while_; }
 bool closes(Opcode op) { return op == Opcode::endif || op == Opcode::endwhile; }
 
-/// The quantity, if speed steps set it; empty: another.
+/// The name of a quantity that speed steps set; empty: another quantity.
 std::string_view speed_of(const Operand& target) {
   if (target.kind != Operand::Kind::quantity) return {};
   switch (target.quantity) {
@@ -117,7 +117,7 @@ static bool switches_power_of_several(const Instruction& s, const language::Dial
   return s.op == Opcode::set && s.target.kind == Operand::Kind::quantity &&
          s.target.quantity == Quantity::enables && is_number(s.values[0]) && dialect.axes.size() > 1;
 }
-/// EO=3 says what EO1=1, EO2=1, EO3=0 and EO4=0 say.
+/// EO=3 means the same as EO1=1, EO2=1, EO3=0 and EO4=0.
 static void add_power_of_each(const Operation& of_all, const Instruction& s, const language::Dialect& dialect,
                               Operations& operations) {
   Instruction one = s;
@@ -135,7 +135,8 @@ Operations operations_of(std::string_view text, const language::Dialect& dialect
   Operations operations;
   for (std::size_t i = 0; i < read.statements.size(); ++i) {
     const Instruction& s = read.at(i);
-    if (i == 0 && s.op == Opcode::prg && is_number(s.values[0], 0)) continue;  // written or not
+    if (i == 0 && s.op == Opcode::prg && is_number(s.values[0], 0))
+      continue;  // the heading may be written or not
     Operation operation;
     operation.text = source_of(s, dialect);
     operation.at = read.stretch(i);

@@ -17,7 +17,7 @@ using Statements = std::vector<language::Statement>;
 inline bool is_number(const language::Operand& o) { return o.kind == language::Operand::Kind::number; }
 inline bool is_number(const language::Operand& o, std::int32_t n) { return is_number(o) && o.number == n; }
 
-/// ABS or INC decides its target.
+/// Whether ABS or INC decides the target of the statement.
 inline bool goes_by_mode(language::Opcode op) {
   return op >= language::Opcode::move && op <= language::Opcode::circle_counterclockwise;
 }
@@ -37,7 +37,7 @@ struct StatementText {
   /// For each statement: for the head of a block (WHILE, IF, ELSEIF, ELSE) the statement that ends the block,
   /// else itself.
   std::vector<std::size_t> end_of;
-  std::vector<std::optional<CountedLoop>> counted;  ///< by statement, where one of it is
+  std::vector<std::optional<CountedLoop>> counted;  ///< by statement that belongs to a counted loop
   std::vector<Stretch> lines;                       ///< of the text, without their ends
 
   StatementText(std::string_view text, const language::Dialect& dialect);
@@ -46,7 +46,7 @@ struct StatementText {
   [[nodiscard]] Stretch stretch(std::size_t i) const;
 };
 
-/// Its comments, but the names of the tool's routines. `compiled`: the same text.
+/// Adds the text's comments, except the names of the tool's routines. `compiled`: the same text.
 void add_remarks(const StatementText& text, const language::Compilation& compiled, TextRemarks& remarks);
 
 [[nodiscard]] Operations operations_of(std::string_view text, const language::Dialect& dialect);

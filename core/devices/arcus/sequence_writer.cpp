@@ -16,7 +16,6 @@ namespace {
 
 namespace seq = sequence;  // its names are also command names
 
-constexpr double largest_radius = 134'216'773;  // PMX manual ch. 5, DXF converter
 constexpr int indent = 2;
 
 /// Whether these steps may contain ABS or INC.
@@ -64,7 +63,7 @@ class Writer {
       draft_.stands(a, !m.relative ? std::optional(*to) : at ? std::optional(*at + *to) : at);
       if (first < 0) first = a;
     }
-    if (first < 0) return draft_.refuse("it moves no axis.");
+    if (first < 0) return draft_.refuse_no_axis();
     if (auto done = write_speeds(first, m.own); !done) return done;
     choose(m.relative ? Mode::inc : Mode::abs);
     draft_.line(text);
@@ -113,8 +112,7 @@ class Writer {
   Result<> write(const seq::Output& o) {
     if (o.output < 0) {
       if (o.value >> draft_.catalog.outputs.size() != 0)
-        return draft_.refuse(fmt::format("it has {} outputs; {} is too much for them.",
-                                         draft_.catalog.outputs.size(), o.value));
+        return draft_.refuse_outputs(draft_.catalog.outputs.size(), o.value);
       draft_.line(fmt::format("DO={}", o.value));
       return {};
     }
@@ -150,7 +148,7 @@ class Writer {
   Result<> write(const seq::Contour& c);
   Result<> write(const seq::SpeedStairs&) {
     return draft_.refuse(
-        fmt::format("a {} takes no new speed at a place on the way.", draft_.catalog.short_name));
+        fmt::format("a {} cannot change its speed at a place on the way.", draft_.catalog.short_name));
   }
 
  private:
@@ -172,7 +170,7 @@ class Writer {
   }
   /// Call after steps that are written elsewhere or run more than once.
   void behind_foreign(const seq::StepList& steps) {
-    draft_.forget_what_moves(steps);
+    draft_.forget_moved_axes(steps);
     if (sets_speeds(steps)) written_.begin_repeated();
     if (chooses_mode(steps)) mode_ = Mode::unknown;
   }
@@ -204,28 +202,28 @@ class Writer {
 Result<> Writer::write(const seq::Arc& a) {
   if (!dialect_.arcs) return draft_.refuse(fmt::format("a {} draws no arcs.", draft_.catalog.short_name));
   const auto [right, up] = a.plane;
-  if (!draft_.has(a.plane)) return draft_.refuse("an arc needs two axes.");
-  if (draft_.name(right) == "Y" && draft_.name(up) == "X")  // the same arc, seen from behind
+  if (!draft_.has(a.plane)) return draft_.refuse_single_axis("an arc");
+  if (draft_.name(right) == "Y" && draft_.name(up) == "X")  // the same arc, seen from the other side
     return write(seq::Arc{a.y, a.x, -a.degrees, a.own, {up, right}});
   if (draft_.name(right) != "X" || draft_.name(up) != "Y")
-    return draft_.refuse(fmt::format("a {} draws arcs with X and Y only, and this one lies in {} and {}.",
+    return draft_.refuse(fmt::format("a {} draws arcs only with X and Y, and this arc lies in {} and {}.",
                                      draft_.catalog.short_name, draft_.name(right), draft_.name(up)));
   if (!draft_.alike(a.plane))
     return draft_.refuse("X and Y differ in their pulses per unit: the arc would be an ellipse.");
   const auto x = draft_.at(right), y = draft_.at(up);
-  if (!x || !y) return draft_.refuse("put an absolute move of both axes before it: its start is not known.");
+  if (!x || !y) return draft_.refuse_unknown_start();
   const auto cx = draft_.position(right, a.x), cy = draft_.position(up, a.y);
   if (!cx || !cy) return fail(!cx ? cx.error() : cy.error());
   const auto dx = static_cast<double>(*x - *cx), dy = static_cast<double>(*y - *cy);
   const double radius = std::hypot(dx, dy);
   if (radius == 0) return draft_.refuse("its centre is the point where it begins.");
-  if (radius > largest_radius)
+  if (radius > static_cast<double>(max_radius))
     return draft_.refuse(
-        fmt::format("its radius is {:.0f} pulses; {:.0f} is the largest. Fewer pulses per "
+        fmt::format("its radius is {:.0f} pulses; {} is the largest. Fewer pulses per "
                     "unit make it smaller.",
-                    radius, largest_radius));
+                    radius, max_radius));
   if (!(std::fabs(a.degrees) > 0 && std::fabs(a.degrees) <= 360))
-    return draft_.refuse("it goes round by more than 0 and at most 360 degrees.");
+    return draft_.refuse("its angle must be more than 0 and at most 360 degrees.");
   if (auto done = write_speeds(right, a.own); !done) return done;
   choose(Mode::abs);
   const char way = a.degrees > 0 ? 'N' : 'P';
@@ -236,12 +234,14 @@ Result<> Writer::write(const seq::Arc& a) {
   const double end = std::atan2(dy, dx) + a.degrees / 180 * std::numbers::pi;
   const std::int64_t end_x = *cx + std::llround(radius * std::cos(end));
   const std::int64_t end_y = *cy + std::llround(radius * std::sin(end));
-  const auto thousandths = [](double radians) { return std::llround(radians / std::numbers::pi * 180'000); };
-  const std::int64_t angle = (thousandths(std::atan2(std::sin(end), -std::cos(end))) + 360'000) % 360'000;
+  const auto thousandths = [](double radians) {
+    return std::llround(radians / std::numbers::pi * (full_turn / 2));
+  };
+  const std::int64_t angle = (thousandths(std::atan2(std::sin(end), -std::cos(end))) + full_turn) % full_turn;
   draft_.line(
       fmt::format("ARC{}{}:{}:{}:{}", way, *cx, *cy, angle, std::llround(std::fabs(a.degrees) * 1000)));
   // On a large arc a thousandth of a degree exceeds a pulse.
-  const double angle_sent = static_cast<double>(angle) / 180'000 * std::numbers::pi;
+  const double angle_sent = static_cast<double>(angle) / (full_turn / 2) * std::numbers::pi;
   if (*cx + std::llround(-radius * std::cos(angle_sent)) != end_x ||
       *cy + std::llround(radius * std::sin(angle_sent)) != end_y)
     draft_.line(fmt::format("X{}Y{}", end_x, end_y));
@@ -292,14 +292,14 @@ Result<> Writer::write(const seq::Repeat& l) {
 
 // A motion waits for the one before it (decision AMB-113); an output does not.
 Result<> Writer::write(const seq::Contour& c) {
-  if (!draft_.has(c.plane)) return draft_.refuse("a contour needs two axes.");
+  if (!draft_.has(c.plane)) return draft_.refuse_single_axis("a contour");
   seq::Move begin;
   begin.to[ix(c.plane.right)] = c.x, begin.to[ix(c.plane.up)] = c.y, begin.own = c.own;
   if (auto written = write(begin); !written) return written;
   if (c.steps.size() > 1) draft_.remark("it stops at each corner.");
   for (const seq::Step& step : c.steps) {
     if (step.skipped) continue;
-    Result<> written = draft_.refuse("it holds moves, arcs and outputs only.");
+    Result<> written = draft_.refuse_in_contour();
     if (const auto* move = std::get_if<seq::Move>(&step.body)) {
       seq::Move own = *move;
       own.own = c.own;

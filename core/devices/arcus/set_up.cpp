@@ -92,13 +92,13 @@ Task<Result<>> SetUp::read(int index, Priority priority) {
   Conversation::Decode decode = [&info](std::string_view text) { return decode_value(info, text); };
   const ParamState& before = console_.snapshot.params[ix(index)];
   const std::int64_t expected = before.known ? before.value : after_power_up_[ix(index)];
-  auto reply = co_await conversation_.ask_surely(info.mnemonic, std::move(decode), expected, priority);
+  auto reply = co_await conversation_.ask_confirmed(info.mnemonic, std::move(decode), expected, priority);
   if (!reply) co_return fail(reply.error());
   const std::int64_t value = *reply;
   const bool taken_back = before.known && before.value != value && settled_.test(ix(index)) &&
                           in_ram_only(index) && value == after_power_up_[ix(index)];
   if (taken_back)
-    callbacks_.restarted(fmt::format("{} read {} and now reads {}, and no command that was sent does this",
+    callbacks_.restarted(fmt::format("{} read {} and now reads {}, although no command changed it",
                                      info.mnemonic, encode_value(info, before.value),
                                      encode_value(info, value)));
   const bool read_twice = before.known && before.value == value;  // not just garbled twice in the same way
@@ -132,7 +132,7 @@ void SetUp::code_may_set() {
     settled_.reset();
 }
 
-// Not in non-volatile memory.
+// Whether the value is held in RAM only, not in non-volatile memory.
 bool SetUp::in_ram_only(int index) const {
   return (!console_.catalog.params[ix(index)].stored || !console_.snapshot.params[ix(index)].stored) &&
          !borrowed_.is_out();
@@ -140,13 +140,13 @@ bool SetUp::in_ram_only(int index) const {
 
 // The positions of a controller that stood at zero do not reveal a power cycle. Lost values do: reads one
 // value a second of those that a power-up resets.
-Task<Result<>> SetUp::read_what_power_keeps() {
+Task<Result<>> SetUp::read_next_volatile() {
   const int index = next_that_would_show();
   if (index < 0) co_return Result<>();
   co_return co_await read(index, Priority::poll);
 }
 
-/// One after the other; -1: there is none.
+/// The next value to read, one after the other; -1: there is none.
 int SetUp::next_that_would_show() {
   return kept_.next(static_cast<int>(console_.catalog.params.size()), [this](int index) {
     const ParamInfo& info = console_.catalog.params[ix(index)];
@@ -241,7 +241,7 @@ Task<Result<bool>> SetUp::set(intent::SetParam request) {
     co_return fail(FaultKind::controller,
                    fmt::format("{} was set to {}, but the controller reports {}.", info.mnemonic,
                                encode_value(info, request.value), encode_value(info, kept)),
-                   "It was sent once.", "The controller's number is in force.");
+                   "It was sent once.", "The value that the controller reports is in force.");
   console_.report(
       Notice::Kind::info,
       fmt::format("{} was set to {} ms; with the present speeds the controller uses {} ms (table A.0).",
@@ -269,10 +269,9 @@ Task<Result<>> SetUp::store() {
         "Do not switch the controller off now. Compare the set-up before you store again.");
   if (!done) co_return done;
   is_stored();
-  console_.report(
-      Notice::Kind::info,
-      "The set-up and the variables V50 to V99 are stored. Speeds, sync settings and V0 to V49 are never "
-      "kept.");
+  console_.report(Notice::Kind::info,
+                  "The set-up and the variables V50 to V99 are stored. Speeds, sync settings and V0 to V49 "
+                  "are never stored.");
   co_return Result<>();
 }
 

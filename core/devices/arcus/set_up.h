@@ -33,11 +33,11 @@ class SetUp {
 
   // ---- reading
   Task<Result<>> read(int index, Priority priority);
-  /// A few each round at rest.
+  /// Reads a few values in each round at rest.
   Task<Result<>> read_in_turn();
-  /// Reads one that a power-up would reset. something_is_kept(): false: there is none, or programs may have
-  /// set it.
-  Task<Result<>> read_what_power_keeps();
+  /// Reads one value that a power-up would reset. something_is_kept(): false: there is none, or programs may
+  /// have set it.
+  Task<Result<>> read_next_volatile();
   Task<Result<bool>> something_is_kept();
 
   // ---- setting
@@ -71,7 +71,7 @@ class SetUp {
   std::array<std::int64_t, max_params> after_power_up_{};  ///< of what is stored: the stored value
   std::bitset<max_params> stored_known_;                   ///< of what is stored: after_power_up_ was read
   std::bitset<max_params> settled_;  ///< read twice, and nothing has run since that may have set them
-  bool unsaved_variables_ = false;   ///< some were set and not stored
+  bool unsaved_variables_ = false;   ///< some variables were set and not stored
   InTurn params_, kept_;
 };
 

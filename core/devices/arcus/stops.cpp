@@ -19,7 +19,7 @@ Fault joystick_not_read(bool switched_off) {
   return Fault(FaultKind::garbled, "The controller did not report which axes follow the joystick.",
                switched_off ? "STOP was sent, and the joystick was switched off for all axes."
                             : "STOP was sent; the joystick was left as it is.",
-               switched_off ? "" : "Stop all axes if this one goes on.");
+               switched_off ? "" : "Stop all axes if this axis still moves.");
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ Task<Result<>> Stops::stop(const StopOrder& order) {
   const bool may_ask = received && !order.in_haste;
   if (!sent && may_ask &&
       worth_another_try(sent.error())) {  // on a clean line the replies belong to the stop
-    const bool clean = co_await conversation_.come_clean(Priority::stop);
+    const bool clean = co_await conversation_.clean_line(Priority::stop);
     if (clean) sent = co_await send(order, until_confirmed);
   }
   co_return sent;
@@ -75,7 +75,7 @@ Task<Result<>> Stops::stop_axes(const StopOrder& order, Duration patience) {
   const bool understood = sent || sent.error().kind == FaultKind::refused;
   if (motion_only || !understood) co_return sent;
   if (order.in_haste)
-    co_return fail(FaultKind::stopped, "Another stop waits.", "The joystick was not checked.");
+    co_return fail(FaultKind::stopped, "Another stop is waiting.", "The joystick was not checked.");
   auto released = co_await release_joystick(axis, word);
   co_return sent ? released : sent;
 }
@@ -116,8 +116,7 @@ Task<Result<>> Stops::halt_thread(int thread, Duration patience) {
 
 // The program ends; its motion continues.
 Task<Result<>> Stops::halt_program(int thread, Duration patience) {
-  if (thread >= console_.model().programs)
-    co_return fail(FaultKind::refused, fmt::format("There is no program {}.", thread), "Nothing was sent.");
+  if (thread >= console_.model().programs) co_return threads_.no_program(thread, "Nothing was sent.");
   halting_ = true;
   Result<> all;
   for (int n = 0; n < console_.model().programs; ++n) {
@@ -204,7 +203,7 @@ StopProgress Stops::progress(const StopOrder& order) {
   return progress;
 }
 
-// A halted program may be restarted by one that is not halted yet.
+// A program that is not halted yet may restart a halted one.
 StopProgress Stops::programs_end(const StopOrder& order) const {
   for (int n = 0; n < console_.model().programs; ++n) {
     const RunState run = console_.snapshot.threads[ix(n)].run;
@@ -213,7 +212,7 @@ StopProgress Stops::programs_end(const StopOrder& order) const {
     if (!order.confirmed || order.times_sent < stop_attempts) return StopProgress::again();
     return StopProgress::failed(Fault(
         FaultKind::controller,
-        fmt::format("Program {} still runs: another program or host starts it again.", n),
+        fmt::format("Program {} is still running: another program or host starts it again.", n),
         fmt::format("Stop was sent {} times.", order.times_sent), "Stop again, or switch the power off."));
   }
   return StopProgress::stands();

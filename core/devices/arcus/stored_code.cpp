@@ -13,7 +13,7 @@ using language::Quantity;
 class SetParams {
  public:
   explicit SetParams(const Model& model) : model_(model) {}
-  /// For one axis, if each axis has its own; `axis` -1: for all.
+  /// Adds the setting of one axis, if each axis has its own; `axis` -1: of all axes.
   void add(Setting id, int axis = -1) {
     std::size_t first = 0;
     for (const SettingFact& fact : model_.settings) {
@@ -23,7 +23,7 @@ class SetParams {
       first += count;
     }
   }
-  /// Times of ramps are adjusted to the speeds.
+  /// Adds a speed, and the ramp times, which the controller adjusts to the speeds.
   void add_speed(Setting id, int axis = -1) {
     add(id, axis);
     for (const Setting time : {Setting::accel, Setting::decel, Setting::axis_accel, Setting::axis_decel})
@@ -67,7 +67,7 @@ void SetParams::add_written(Quantity quantity, int axis) {
     case Quantity::enable:
     case Quantity::timer:
     case Quantity::latch_enable: return;  // no parameters
-    default: return add_all();            // the joystick's, which switch StepNLoop, too
+    default: return add_all();            // also the joystick's, which switch StepNLoop
   }
 }
 
@@ -91,7 +91,7 @@ class SubroutineWalk {
 
   static constexpr Duration between_two =
       Millis(500);  // readings of an axis: a short move may fall in between
-  static constexpr Duration of_a_statement = Millis(10);  // ten times AMB-127
+  static constexpr Duration of_a_statement = Millis(10);  // ten times the time in AMB-127
   static constexpr int most_statements = 10'000;
   const language::Program& code_;
   Duration rests_ = std::chrono::seconds(1);

@@ -13,7 +13,7 @@ namespace hw::arcus {
 
 /// A subroutine that the host may call.
 struct StoredSubroutine {
-  bool moves = true;              ///< or starts a program, or hands an axis to the joystick
+  bool moves = true;              ///< it moves an axis, starts a program, or hands an axis to the joystick
   std::optional<Duration> rests;  ///< ended once nothing has moved for this long; none: unknown
 };
 

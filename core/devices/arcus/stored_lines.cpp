@@ -14,7 +14,7 @@ constexpr int empty_lines_end_it = 4;    // in a row
 constexpr std::uint8_t stored_code = 1;  // one text for all programs: see Snapshot::slots_torn
 
 constexpr const char* torn = "The stored code is now neither the old program nor the new one";
-constexpr const char* mend_it = "Download it again before anything runs it.";
+constexpr const char* mend_it = "Download the program again before it is run.";
 
 // An unknown line is read before it is written: a question takes as little time as the reply to a write, and
 // each write wears the flash; the manuals give no number of cycles. If this many lines in a row differ,
@@ -63,7 +63,7 @@ bool StoredLines::is_there(int line) const {
 // ---- reading
 
 Task<Result<std::vector<std::string>>> StoredLines::read() {
-  doubt_what_is_held();
+  doubt_stored();
   progress_.begin(0, console_.scheduler.now());
   auto lines = co_await read_all();
   progress_.end();
@@ -95,7 +95,7 @@ Task<Result<int>> StoredLines::write(std::vector<std::string> lines) {
   wanted_ = std::move(lines);
   read_.assign(static_cast<std::size_t>(program_lines), false);
   differs_ = false;
-  doubt_what_is_held();
+  doubt_stored();
   progress_.begin(0, console_.scheduler.now());
   auto written = co_await write_all();
   progress_.end();
@@ -104,12 +104,12 @@ Task<Result<int>> StoredLines::write(std::vector<std::string> lines) {
   co_return written;
 }
 
-/// After a missed reply or unsolicited ones, other hosts may have written.
-void StoredLines::doubt_what_is_held() {
+/// After a missed reply or unsolicited ones, other hosts may have written lines.
+void StoredLines::doubt_stored() {
   if (known_at_ != faults_now()) code_.lines().forget();
 }
 
-void StoredLines::forget_what_is_held() {
+void StoredLines::forget_stored() {
   code_.lines().forget();
   read_.assign(read_.size(), false);
 }
@@ -118,22 +118,22 @@ Task<Result<int>> StoredLines::write_all() {
   constexpr int most_passes = 3;
   int count = 0;
   for (int pass = 1;; ++pass) {
-    auto sent = co_await write_what_differs();
+    auto sent = co_await write_changed_lines();
     if (!sent) co_return fail(sent.error());
     count += written_;
-    auto other = co_await compare_what_was_not_read();
+    auto other = co_await compare_unread_lines();
     if (!other) co_return fail(other.error());
     if (!*other) co_return count;
     const OtherLine& found = **other;
     if (pass == most_passes)
       co_return fail(FaultKind::controller, fmt::format("Line {} reads back as \"{}\" instead of \"{}\".",
                                                         found.line, found.text, wanted(found.line)));
-    if (written_ > 0) forget_what_is_held();  // a garbled command may have written another line
+    if (written_ > 0) forget_stored();  // a garbled command may have written another line
   }
 }
 
 // Continues behind the end as far as a longer program may have left lines.
-Task<Result<>> StoredLines::write_what_differs() {
+Task<Result<>> StoredLines::write_changed_lines() {
   const int total = static_cast<int>(wanted_.size());
   seen_ = written_ = 0;
   progress_.enter(TransferState::Phase::writing, total);
@@ -162,12 +162,12 @@ Task<Result<>> StoredLines::write_what_differs() {
   co_return Result<>();
 }
 
-/// Among the first `lines` lines.
+/// The number of lines not read, among the first `lines` lines.
 int StoredLines::not_read(int lines) const {
   return static_cast<int>(std::count(read_.begin(), read_.begin() + lines, false));
 }
 
-/// Questions and commands from `line` to the end.
+/// The number of questions and commands from `line` to the end.
 int StoredLines::work_from(int line, bool reads_unknown_first) const {
   int work = 0;
   for (int n = line; n < static_cast<int>(wanted_.size()); ++n) {
@@ -178,7 +178,7 @@ int StoredLines::work_from(int line, bool reads_unknown_first) const {
 }
 
 /// The first line that differs from the wanted one.
-Task<Result<std::optional<StoredLines::OtherLine>>> StoredLines::compare_what_was_not_read() {
+Task<Result<std::optional<StoredLines::OtherLine>>> StoredLines::compare_unread_lines() {
   std::optional<OtherLine> other;
   progress_.enter(TransferState::Phase::comparing, not_read(seen_));
   progress_.expect(not_read(seen_));
@@ -196,7 +196,7 @@ Task<Result<std::optional<StoredLines::OtherLine>>> StoredLines::compare_what_wa
 
 // ---- remains of a broken transfer
 
-std::string StoredLines::what_stands() const {
+std::string StoredLines::torn_code_words() const {
   const TransferState& t = console_.snapshot.transfer;
   const std::string written = report_written(t);
   if (written.empty() || differs_) return fmt::format("{}.", torn);
@@ -208,13 +208,13 @@ std::string StoredLines::what_stands() const {
 tl::unexpected<Fault> StoredLines::broken_off(Fault why) {
   if (console_.snapshot.slots_torn == 0) return fail(std::move(why));
   console_.snapshot.slot_bytes_used[0] = -1;
-  why.done = what_stands();
+  why.done = torn_code_words();
   why.advice = mend_it;
   return fail(std::move(why));
 }
 
 std::string StoredLines::leaves_behind() const {
-  return console_.snapshot.slots_torn != 0 ? fmt::format("{} {}", what_stands(), mend_it) : std::string();
+  return console_.snapshot.slots_torn != 0 ? fmt::format("{} {}", torn_code_words(), mend_it) : std::string();
 }
 
 }  // namespace hw::arcus

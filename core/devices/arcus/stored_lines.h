@@ -19,9 +19,9 @@ class StoredLines {
         progress_(console.snapshot.transfer, console.catalog) {}
 
   Task<Result<std::vector<std::string>>> read();
-  /// Stores these lines and nothing behind them. Each line is read before it is reported as stored, because
-  /// another host may have written it unheard. Returns how many had to be written: those not known to be
-  /// there.
+  /// Stores these lines, and no others after them. Each line is read before it is reported as stored, because
+  /// another host may have written it without being noticed. Returns how many lines had to be written,
+  /// because they were not known to be stored.
   Task<Result<int>> write(std::vector<std::string> lines);
   /// The fault after a stop, a lost link or a refused line: the stored lines may run, but are no program.
   tl::unexpected<Fault> broken_off(Fault why);
@@ -33,19 +33,19 @@ class StoredLines {
   Task<Result<>> write_line(int line);
   Task<Result<std::vector<std::string>>> read_all();
   Task<Result<int>> write_all();
-  Task<Result<>> write_what_differs();
+  Task<Result<>> write_changed_lines();
   struct OtherLine {
     int line;
     std::string text;
   };
-  Task<Result<std::optional<OtherLine>>> compare_what_was_not_read();
+  Task<Result<std::optional<OtherLine>>> compare_unread_lines();
   [[nodiscard]] const std::string& wanted(int line) const;
   [[nodiscard]] bool is_there(int line) const;
   [[nodiscard]] int not_read(int lines) const;
   [[nodiscard]] int work_from(int line, bool reads_first) const;
-  void forget_what_is_held();
-  void doubt_what_is_held();
-  [[nodiscard]] std::string what_stands() const;
+  void forget_stored();
+  void doubt_stored();
+  [[nodiscard]] std::string torn_code_words() const;
   struct Faults {
     std::uint64_t misses = 0;
     int unexpected = 0;

@@ -19,7 +19,7 @@ int axis_of(const Model& model, char letter) {
   return axis == std::string_view::npos ? -1 : static_cast<int>(axis);
 }
 
-/// The number at the front of `text`, which is left without it.
+/// Takes the number at the front of `text` off it.
 std::optional<std::int64_t> take_number(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_not_of("+-0123456789"), text.size());
   const std::size_t begin = text.starts_with('+') ? 1 : 0;
@@ -84,7 +84,7 @@ class CommandReader {
     return {target_at(0, Steps((*all)[0])), target_at(1, Steps((*all)[1])), target_at(2, Steps((*all)[2]))};
   }
   static bool is_place(std::int64_t number) { return number >= position_min && number <= position_max; }
-  /// CIRPx:y and ARCPx:y:end:sweep, clockwise; N: the other way.
+  /// CIRPx:y and ARCPx:y:end:sweep turn clockwise, CIRN and ARCN counterclockwise.
   [[nodiscard]] std::vector<AxisTarget> arc(std::string_view command) const {
     const bool whole = command.starts_with("CIR");
     if (command.size() < 4 || (command[3] != 'P' && command[3] != 'N')) return {};

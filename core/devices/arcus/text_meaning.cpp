@@ -16,7 +16,7 @@ bool is_setting(const Model& model, std::string_view command) {
   });
 }
 
-/// The text asks for a state: of all, or of an axis or a number.
+/// Whether the text asks for a state: of all axes, of one axis, or of a numbered item.
 bool is_reading(const Model& model, std::string_view command) {
   constexpr std::string_view heads[] = {"MST", "PP", "PE", "PS", "P",   "E",  "DX",  "AI",  "DI",
                                         "DO",  "EO", "V",  "ID", "VER", "TR", "SPC", "SLS", "SASTAT"};

@@ -11,15 +11,15 @@ namespace {
 
 constexpr Duration typed_patience = Millis(200);
 
-/// After this text the axis no longer comes to rest at its target.
+/// Whether the axis no longer comes to rest at its target after this text.
 bool takes_target_away(std::string_view text) {
   if (text.starts_with('T')) return text.find('=') == text.npos;
   const bool counter = text.size() > 3 && text[2] == '=' && (text[0] == 'P' || text[0] == 'E');
   return counter && text[1] != 'O';
 }
 
-/// Each of several commands has its own reply: the second reply would be taken for that to the next question.
-/// True: more followed the first, which alone is left.
+/// Keeps only the first of several commands: each has its own reply, and the second reply would be taken for
+/// the reply to the next question. True: commands were cut off.
 bool cut_to_one_command(std::string& text) {
   constexpr std::string_view ends("\r\n\0", 3), nothing(" \r\n\0", 4);
   text.erase(0, std::min(text.find_first_not_of(ends), text.size()));
@@ -29,7 +29,7 @@ bool cut_to_one_command(std::string& text) {
   return more;
 }
 
-EndedBy how_it_ends(std::string_view stop) {
+EndedBy ended_by_text(std::string_view stop) {
   return stop.starts_with("ABORT") ? EndedBy::abort : EndedBy::stop;
 }
 
@@ -56,12 +56,13 @@ Task<Result<std::string>> Texts::stop(const StopOrder& order) {
     note_sent(text);
     co_return std::string();
   }
-  // Limits the asker's patience: if a device that has answered before does not, the console repeats the stop.
+  // Limits how long the stop waits for the reply. If a device that has answered before does not answer, the
+  // console repeats the stop.
   const bool was_received = conversation_.is_open() && conversation_.station()->has_received();
   const Duration asked = order.patience > Duration::zero() ? order.patience : typed_patience;
   const Duration patience = was_received ? std::min(asked, typed_patience) : asked;
   auto stopped = co_await transmit(text, Priority::stop, patience);
-  if (stopped && stopped->starts_with('?'))  // it received something else
+  if (stopped && stopped->starts_with('?'))  // it received another text
     co_return fail(FaultKind::controller, fmt::format("The controller answered {} to {}.", *stopped, text));
   const bool its_own = address_of(text) < 0 || address_of(text) == console_.catalog.address;
   if (stopped && its_own && ends_motion(command_in(text)) &&
@@ -69,8 +70,8 @@ Task<Result<std::string>> Texts::stop(const StopOrder& order) {
     co_return fail(FaultKind::garbled, fmt::format("The controller answered {} to {}.", *stopped, text),
                    "It was sent, followed by a stop from the console.");
   if (!stopped || !more) co_return stopped;
-  co_return fail(FaultKind::refused, "There is another command after the stop.", "The stop was sent alone.",
-                 "Send the other by itself.");
+  co_return fail(FaultKind::refused, "The text holds another command after the stop.",
+                 "Only the stop was sent.", "Send the other command by itself.");
 }
 
 Task<Result<std::string>> Texts::transmit(std::string text, Priority priority, Duration patience) {
@@ -103,7 +104,8 @@ Task<Result<>> Texts::send(const intent::SendText& request) {
   std::string text = request.text;
   if (request.broadcast && address_of(text) < 0) {
     if (console_.model().broadcast < 0 || conversation_.framing() == Framing::message)
-      co_return co_await conversation_.broadcast(std::move(text), Priority::intent);  // which says why not
+      co_return co_await conversation_.broadcast(std::move(text),
+                                                 Priority::intent);  // it refuses, and says why
     text.insert(0, fmt::format("@{:02}", console_.model().broadcast));
   }
   auto reply = co_await query(std::move(text), typed_patience);
@@ -164,7 +166,7 @@ void Texts::note_stop(std::string_view text) {
   const int only = console_.axes() > 1 ? axis_named_in(console_.forms, text) : -1;
   for (int i = 0; i < console_.axes(); ++i)
     if ((only < 0 || i == only) && console_.snapshot.axis_moves(i))
-      motions_.ended_by_us(i, how_it_ends(text));
+      motions_.ended_by_us(i, ended_by_text(text));
 }
 
 }  // namespace hw::arcus

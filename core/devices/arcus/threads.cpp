@@ -33,7 +33,8 @@ Task<Result<>> Threads::read(bool all, Priority priority) {
     one_ended = one_ended || (ran && known.run == RunState::idle);
   }
   first_.next(console_.model().programs);
-  // Its last statement may have started another thread, read before it: nothing would seem to run.
+  // The last statement of the ended program may have started a thread that was read before it. Without
+  // another reading, nothing would seem to run.
   if (one_ended && !all) co_return co_await this->read(true, priority);
   show_program();
   co_return Result<>();
@@ -88,7 +89,7 @@ Task<Result<>> Threads::read_one(int thread, Priority priority) {
 void Threads::may_start(std::string_view command) {
   if (is_apart(thread_named_in(command).value_or(-1))) return;
   if (command.starts_with("SR") && !ends_program(command)) {
-    console_.snapshot.variables_known.reset();  // it may be over before its state is read
+    console_.snapshot.variables_known.reset();  // the program may be over before its state is read
     program_runs();
   }
   if (command.starts_with("GS")) program_runs(code_.longest_run(command));
@@ -120,12 +121,23 @@ bool Threads::any_may_run() const {
   return false;
 }
 
+tl::unexpected<Fault> Threads::no_program(int number, std::string done) const {
+  return fail(
+      FaultKind::refused,
+      fmt::format("There is no program {}: programs are 0 to {}.", number, console_.model().programs - 1),
+      std::move(done));
+}
+
+std::string Threads::error_sentence(int program, int line) {
+  return fmt::format("Program {} stopped with an error at line {} of its stored code.", program, line);
+}
+
 Result<> Threads::none_runs() const {
   for (int n = 0; n < console_.model().programs; ++n) {
     const RunState run = console_.snapshot.threads[ix(n)].run;
     if (run == RunState::running || run == RunState::held)
       return fail(FaultKind::refused,
-                  fmt::format("Program {} runs, and all programs share the stored code.", n),
+                  fmt::format("Program {} is running, and all programs share the stored code.", n),
                   "Nothing was written.", "Stop it first.");
   }
   return {};

@@ -4,8 +4,8 @@
 
 namespace hw::arcus {
 
-/// For one value of the controller. A command sent while the value is being asked for may change this reply
-/// or the next.
+/// Watches one value of the controller. A command sent while the value is being asked for may change this
+/// reply or the next.
 class Unexplained {
  public:
   /// How much had been sent when the value was asked for.

@@ -62,7 +62,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.short_name = "DMX";
   c.summary = "1 motor each, up to 99 on a bus";
   c.program.example =
-      "; To and fro five times, with a rest of half a second; V1 counts\n"
+      "; Back and forth five times, with a rest of half a second; V1 counts\n"
       "HSPD=20000\n"
       "LSPD=500\n"
       "ACC=200\n"

@@ -33,7 +33,7 @@ inline constexpr std::array<SpeedRow, 9> speed_rows{{
 
 inline constexpr std::int64_t any_ms = 999'999'999'999;  ///< too long a ramp is adjusted, not refused
 
-/// Factory values of table 7.12; where it has none: decisions AMB-031, AMB-034, AMB-097.
+/// Factory values of table 7.12; where the table has none: decisions AMB-031, AMB-034, AMB-097.
 inline constexpr std::array<SettingFact, 35> settings{{
     {Setting::device_name, "DN", 1, 1, 99, 1, true, false, Notation::name},
     {Setting::baud_code, "DB", 1, 1, 5, 1, true},
@@ -60,8 +60,8 @@ inline constexpr std::array<SettingFact, 35> settings{{
     {Setting::boot_programs, "SLOAD", 1, 0, 3, 0, true},
     {Setting::auto_response, "AR", 1, 0, 1, 0, true},
     {Setting::line_type, "CM", 1, 0, 1, 0, true},
-    {Setting::idle_current, "CURI", 1, 100, 2500, 1000, true, true},
-    {Setting::run_current, "CURR", 1, 100, 2500, 1600, true},
+    {Setting::idle_current, "CURI", 1, arcus::min_current, arcus::max_current, 1000, true, true},
+    {Setting::run_current, "CURR", 1, arcus::min_current, arcus::max_current, 1600, true},
     {Setting::idle_time, "CURT", 1, 10, 1000, 500, true},
     {Setting::modbus_number, "DNM", 1, 1, 127, 1, true},
     {Setting::modbus, "RSM", 1, 0, 1, 0, true},
@@ -77,7 +77,7 @@ inline constexpr arcus::Model model{
     .title = "DMX-K-SA",
     .axis_letters = "X",
     .name_prefix = "DMK",
-    .product = "DriveMax-K-SA",
+    .product = arcus::dmx_product,
     .version = "V340BL",
     .reply_end = '\0',
     .broadcast = broadcast,

@@ -37,7 +37,7 @@ const arcus::Forms& forms() {
       .joystick = false,
       .supply = "12 to 35 V",
       .wires = "the wiring (TXD and RXD, or 485+ and 485-, may be crossed)",
-      .other_product = "Performax-4EX-SA",
+      .other_product = arcus::pmx_product,
   };
   return all;
 }

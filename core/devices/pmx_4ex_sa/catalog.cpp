@@ -58,12 +58,12 @@ void add_actions(Catalog& c) {
   arcus::add_common_actions(c, model, "PMX manual ch. 6");
   c.actions.push_back(
       make_action("arc", "Draw arc",
-                  "X and Y go round the centre by this many degrees from their present place: + is "
+                  "X and Y turn about the centre by this many degrees from their present place: + is "
                   "counter-clockwise, - is clockwise. 360 is a full circle. Possible only in absolute mode.",
                   "Arc and circle",
                   {followed(position_field("centre_x", "Centre X", "pulses"), 0),
                    followed(position_field("centre_y", "Centre Y", "pulses"), 1),
-                   angle("sweep", "Sweep", -360'000, 360'000, -90'000)},
+                   angle("sweep", "Sweep", -arcus::full_turn, arcus::full_turn, -arcus::full_turn / 4)},
                   "PMX manual ch. 6 Arc Interpolation Moves"));
   c.actions.back().moves = c.actions.back().is_arc = true;
   c.actions.back().reaches = arc_reaches;
@@ -106,7 +106,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options) {
   c.summary = "four stepping axes, X to U";
   c.options = {{"id", {{"00", "4EX00"}, {"01", "4EX01"}, {"02", "4EX02"}, {"03", "4EX03"}}}};
   c.program.example =
-      "; The house of Saint Nicholas: eight lines without lifting the pen\n"
+      "; A house in one stroke: eight lines without lifting the pen\n"
       "HSPD=4000\n"
       "LSPD=400\n"
       "ACC=100\n"

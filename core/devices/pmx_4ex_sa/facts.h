@@ -75,7 +75,7 @@ inline constexpr arcus::Model model{
     .title = "PMX-4EX-SA",
     .axis_letters = "XYZU",
     .name_prefix = "4EX",
-    .product = "Performax-4EX-SA",
+    .product = arcus::pmx_product,
     .version = "V161BL",
     .reply_end = '\r',
     .broadcast = -1,

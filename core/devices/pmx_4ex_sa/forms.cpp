@@ -37,7 +37,7 @@ const arcus::Forms& forms() {
       .joystick = true,
       .supply = "12 to 24 V",
       .wires = "the wiring (485+ and 485- may be crossed)",
-      .other_product = "DriveMax-K-SA",
+      .other_product = arcus::dmx_product,
   };
   return all;
 }

@@ -32,7 +32,7 @@ Task<Result<>> Actions::act(intent::Act request) {
       break;
     case Action::clear_while: text = "CW"; break;
     case Action::force_position:
-      speeds_.forget_put(axis);  // it empties the queue too
+      speeds_.forget_put(axis);  // the command empties the queue too
       text = fmt::format("FP{}", request.values[1]);
       break;
     case Action::encoder_ratio: text = fmt::format("ER{},{}", request.values[1], request.values[2]); break;

@@ -14,7 +14,7 @@ Task<Result<>> AllStop::send(std::string_view word) {
   behind_ = Behind::not_known;
   rests_since_ = wire_.now();
   auto mailed = co_await mailbox_.mail_past_ring(word);
-  const bool may_be_deaf = mailbox_deaf_ || by_mail_alone_ || !any_moves();
+  const bool may_be_deaf = mailbox_ignores_mail_ || by_mail_alone_ || !any_moves();
   const bool ring_may_do = mailed ? may_be_deaf : mailed.error().kind == FaultKind::no_answer;
   by_mail_alone_ = ring_may_do && !conversation_.is_known();
   if (!ring_may_do || by_mail_alone_) co_return mailed;
@@ -58,8 +58,8 @@ void AllStop::another_was_sent() {
   if (behind_ != Behind::nothing) by_mail_alone_ = true;
 }
 
-void AllStop::in_vain() {
-  if (std::exchange(mailbox_deaf_, true)) return;
+void AllStop::without_effect() {
+  if (std::exchange(mailbox_ignores_mail_, true)) return;
   wire_.report(Notice::Kind::warning,
                "The board acknowledged a stop in its mailbox but did not act on it. From now on, stops also "
                "go through its command ring.");

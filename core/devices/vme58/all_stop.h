@@ -29,15 +29,15 @@ class AllStop {
   /// that it was not obeyed, though an axis may rest for a moment between two motions.
   Task<Result<>> look_at_queues();
   enum class Behind : std::uint8_t { nothing, not_known, waits };
-  /// What waits in the queues behind the stop. Queues that do not answer count as empty after the longest
-  /// rest between two motions.
+  /// Whether commands wait in the queues behind the stop. Queues that do not answer count as empty after the
+  /// longest rest between two motions.
   [[nodiscard]] Behind behind() const;
   /// The stop must still be sent through the ring: it was mailed before the ring was known, or another stop
-  /// hides its effect, so nothing shows that the board acted on the mail.
+  /// hides its effect, so it is unknown whether the board acted on the mail.
   [[nodiscard]] bool owes_ring() const;
   /// ST of one axis was sent: an axis that slows down now may do so because of it.
   void another_was_sent();
-  void in_vain();
+  void without_effect();
   /// The connection was lost, or the board was reset.
   void forget() { behind_ = Behind::nothing; }
 
@@ -54,7 +54,7 @@ class AllStop {
   const StopEffect& effect_;
   const Catalog& catalog_;
   Snapshot& snapshot_;
-  bool mailbox_deaf_ = false;  ///< mail was acknowledged without effect
+  bool mailbox_ignores_mail_ = false;  ///< mail was acknowledged without effect
   bool by_mail_alone_ = false;
   Behind behind_ = Behind::nothing;
   Instant rests_since_{};  ///< since then, or since the stop, no axis was seen turning

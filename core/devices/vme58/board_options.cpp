@@ -20,7 +20,7 @@ Result<> read_variant(const std::string& value, BoardOptions& board) {
   std::string known;
   for (const Variant& v : variants) known += fmt::format("{}{}", known.empty() ? "" : ", ", v.name);
   return wrong_option(fmt::format("variant={} is not a model of the VME58.", value),
-                      fmt::format("Known, in any case: {}.", known));
+                      fmt::format("Its models, in capital or small letters: {}.", known));
 }
 
 /// IIO: one letter for each group of four lines; the last two lines are always outputs.
@@ -35,9 +35,9 @@ Result<> read_jumpers(const std::string& value, BoardOptions& board) {
   }
   board.outputs = static_cast<std::uint16_t>(outputs);
   if (sense) return {};
-  return wrong_option(
-      fmt::format("jumpers={} is not possible.", value),
-      "Give three letters for the lines 0-3, 4-7 and 8-11: I input, O output, as jumpers=IIO.");
+  return wrong_option(fmt::format("jumpers={} is not possible.", value),
+                      "Give three letters for the lines 0-3, 4-7 and 8-11: I for input, O for output, for "
+                      "example jumpers=IIO.");
 }
 
 Result<> read_firmware(const std::string& value, BoardOptions& board) {
@@ -55,9 +55,9 @@ constexpr struct {
   bool BoardOptions::*set;
 } quirks[] = {{"padded", &BoardOptions::padded},
               {"oms-kk", &BoardOptions::oms_kk},
-              {"deaf-mailbox", &BoardOptions::deaf_mailbox}};
+              {"deaf-mailbox", &BoardOptions::ignores_mail}};
 
-/// Several are joined by +.
+/// Reads quirks, joined by +.
 Result<> read_quirks(const std::string& value, BoardOptions& board) {
   for (std::string_view rest = value; !rest.empty();) {
     const auto end = std::min(rest.find('+'), rest.size());
@@ -123,7 +123,7 @@ Result<BoardOptions> read_board_options(const std::map<std::string, std::string>
       const auto n = whole_number<std::int64_t>(value);
       if (!n || *n < number.least || *n > number.most)
         return wrong_option(fmt::format("{}={} is not possible.", key, value),
-                            fmt::format("It is a whole number from {} to {}.", number.least, number.most));
+                            fmt::format("Give a whole number from {} to {}.", number.least, number.most));
       number.set(board, *n);
     }
   }

@@ -21,7 +21,7 @@ struct BoardOptions {
   // Quirks: behaviour of some boards that is not in the data sheet (decisions M98 to M100).
   bool padded = false;        ///< numbers in replies carry blanks, sign, leading zeros
   bool oms_kk = false;        ///< KK is accepted on servo axes, without effect
-  bool deaf_mailbox = false;  ///< mail is acknowledged and ignored
+  bool ignores_mail = false;  ///< mail is acknowledged and ignored
   Duration servo_update = std::chrono::microseconds(default_servo_update_us);
 };
 

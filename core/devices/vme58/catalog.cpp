@@ -77,7 +77,7 @@ std::vector<InputInfo> inputs(std::uint16_t outputs) {
     input.of_output = is_output(outputs, line);
     input.name = fmt::format("{} {}", input.of_output ? "Line" : "In", line);
     input.help = fmt::format("General line {}, {}. {}", line, reason_of_direction(outputs, line),
-                             input.of_output ? "The level on this line." : "SW and WS take low for true.");
+                             input.of_output ? "The level on this line." : "SW and WS treat low as true.");
     input.active_low = true;
     input.number = line;
     input.group = direction_of(outputs, line);
@@ -92,7 +92,7 @@ std::vector<OutputInfo> output_infos(std::uint16_t outputs, const Variant& varia
     if (!is_output(outputs, line)) continue;
     OutputInfo output;
     output.name = fmt::format("Out {}", line);
-    output.help = fmt::format("General line {}, {}: BL{} switches it on, which is low, BH{} off.", line,
+    output.help = fmt::format("General line {}, {}: BL{} switches it on (low), BH{} off (high).", line,
                               reason_of_direction(outputs, line), line, line);
     output.number = line;
     output.group = direction_of(outputs, line);
@@ -104,7 +104,7 @@ std::vector<OutputInfo> output_infos(std::uint16_t outputs, const Variant& varia
     output.name = fmt::format("Aux {}", letter);
     output.help = fmt::format(
         "Auxiliary output of {}: AN switches it on (high), AF off; PA lets moves switch it. The board does "
-        "not report its state: the last one set from the console is shown.",
+        "not report its state: the last state set from the console is shown.",
         letter);
     output.number = first_auxiliary + i;
     output.group = "Auxiliary: outputs";
@@ -300,7 +300,7 @@ Result<Catalog> make_catalog(const DeviceOptions& options_given) {
   c.command_separators = " ;";
   c.program.slots = 1;
   c.program.slot_word = "Program";
-  c.program.capacity = 0;  // the board keeps none: a run feeds the text into its ring
+  c.program.capacity = 0;  // the board keeps no programs: a run feeds the text into its ring
   c.program.capacity_unit = "characters";
   c.program.file_suffix = ".vme";
   c.program.comment = '#';

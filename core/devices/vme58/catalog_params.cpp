@@ -46,7 +46,7 @@ std::vector<ParamInfo> param_infos(const Variant& variant) {
     if (fact.letters == "PN") add_ramp_forms(p);
     if (fact.letters == "LN") {
       p.warning = fmt::format(
-          "Without its limit switches {} runs into the end of its travel. Keep a hand at the stop.", letter);
+          "Be ready to stop {}: without its limit switches it runs into the end of its travel.", letter);
       p.harmless = p.fallback;
     }
     all.push_back(std::move(p));

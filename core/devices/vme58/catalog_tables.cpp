@@ -24,7 +24,7 @@ void add_axis_tables(Catalog& catalog) {
   AxisColumn clear = verb("clear_flags", "", "Clear all");
   clear.state = "SLIP*";
   catalog.axis_tables = {
-      {"Motion", "", {{Shows::motion, "", "what it does"}}},
+      {"Motion", "", {{Shows::motion, "", "state"}}},
       {"Stop near", "", {stop_near}},
       {"Jog slowly", "", {verb("fraction_jog", "speed", "Jog")}},
       {"Queue",

@@ -44,7 +44,7 @@ std::optional<std::string> take_reply(std::string& received, bool echo = false);
 /// "0,-400,12", or as other firmware prints it: "+0, 200,-0012" (decision M99); none if any field is not a
 /// number.
 std::optional<std::vector<std::int64_t>> decode_numbers(std::string_view reply);
-/// "3F00".
+/// Decodes "3F00".
 std::optional<std::uint32_t> decode_hex(std::string_view reply);
 
 /// The form of a reply to a question: a reply of another form belongs to another question.
@@ -61,7 +61,7 @@ struct AxisFlags {
   bool done = false, limit = false, home = false;
 };
 std::optional<AxisFlags> decode_flags(std::string_view letters);
-/// "PNNN,MNLN,...": RI and QI.
+/// Decodes the reply to RI and QI: "PNNN,MNLN,...".
 std::vector<AxisFlags> decode_all_flags(std::string_view reply);
 
 /// "VME58 ver 2.24-8S".

@@ -21,7 +21,7 @@ inline constexpr unsigned contour = 8;  ///< between CD and CE or CK
 inline constexpr unsigned lists = all | tasks, axes = single | lists, any = axes | contour;
 }  // namespace where
 
-/// Decision M17.
+/// When a command takes effect (decision M17).
 enum class When : std::uint8_t { at_once, queued, query, recorded };
 
 enum class Shape : std::uint8_t {
@@ -88,7 +88,7 @@ struct CommandFact {
 
 namespace command_limits {
 inline constexpr double p = position_max, d = distance_max, v = velocity_max, a = acceleration_max;
-inline constexpr double ms = wait_max_ms, big = 2'147'483'647, huge = std::numeric_limits<double>::max();
+inline constexpr double ms = wait_max_ms, big = whole_max, huge = std::numeric_limits<double>::max();
 }  // namespace command_limits
 
 /// A mnemonic with two meanings is listed twice, the contour command last.

@@ -24,12 +24,12 @@ struct Context {
 };
 
 struct TextCommand {
-  std::size_t begin = 0, length = 0;            ///< in the text
-  std::string_view text;                        ///< as typed, without trailing separators
-  const CommandFact* fact = nullptr;            ///< null: no such command
-  Context context;                              ///< in which it is read
-  std::vector<std::optional<double>> numbers;   ///< by axis in a list, else by order
-  std::string flaw;                             ///< why the board would reject it; empty: no reason known
+  std::size_t begin = 0, length = 0;           ///< in the text
+  std::string_view text;                       ///< as typed, without trailing separators
+  const CommandFact* fact = nullptr;           ///< null: no such command
+  Context context;                             ///< in which the board reads the command
+  std::vector<std::optional<double>> numbers;  ///< by axis in a list, else by order
+  std::string flaw;  ///< why the board would reject the command; empty: no reason known
   std::size_t flaw_begin = 0, flaw_length = 0;  ///< in the text
 
   [[nodiscard]] bool is(Op op) const { return fact && fact->op == op; }

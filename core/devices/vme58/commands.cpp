@@ -24,8 +24,8 @@ std::string Commands::open_loop_words(std::string_view text, Context context) co
           !wants_closed_loop(command.fact->op))
         continue;
       return fmt::format(
-          " The servo loop of axis {0} is open (off), and so it takes no motion: HN (Hold on, or the axis' "
-          "power) closes it.",
+          " The servo loop of axis {0} is open (off), so the axis accepts no motion. HN (Hold on, or the "
+          "axis' power) closes the loop.",
           catalog_.axes[ix(i)].name);
     }
   }
@@ -51,7 +51,7 @@ Task<Result<>> Commands::transmit(std::string text, Priority priority) {
   if (!settled) co_return settled;
   const int end_before = conversation_.end();
   auto written = co_await conversation_.write(text, priority);
-  if (!written && conversation_.took_back()) written.error().kind = FaultKind::refused;
+  if (!written && conversation_.was_taken_back()) written.error().kind = FaultKind::refused;
   if (!written)
     co_return fail(conversation_.end() == end_before ? written.error() : when_put(written.error()));
   const auto bad = co_await readings_.was_rejected(priority);

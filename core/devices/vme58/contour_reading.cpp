@@ -105,7 +105,7 @@ class ContourReader {
       default: return std::nullopt;
     }
   }
-  /// The angle with as few digits as give the same command.
+  /// The angle, rounded to the fewest digits that give the same command.
   static double degrees(double radians) {
     const double exact = radians / std::numbers::pi * 180, round = std::round(exact * 1e5) / 1e5;
     return fmt::format("{:.9f}", round / 180 * std::numbers::pi) == fmt::format("{:.9f}", radians) ? round

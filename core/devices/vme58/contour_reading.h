@@ -13,7 +13,8 @@ struct ContourRead {
   sequence::Contour contour;
   std::size_t length = 0;  ///< commands
 };
-/// Reads CV, CD to CE or CK, the way there and CX at the start of `commands`; none: they are something else.
+/// Reads CV, CD to CE or CK, the move to the start and CX at the front of `commands`; none: they do not form
+/// a contour.
 [[nodiscard]] std::optional<ContourRead> read_contour(std::span<const TextCommand> commands,
                                                       const ReadText& frame, const Catalog& catalog);
 

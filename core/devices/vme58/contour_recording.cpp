@@ -21,7 +21,7 @@ class Recorder {
       : draft_(draft), contour_(contour), axes_{contour.plane.right, contour.plane.up} {}
 
   Result<ContourRecording> run() {
-    if (!draft_.has(contour_.plane)) return draft_.refuse("a contour needs two axes.");
+    if (!draft_.has(contour_.plane)) return draft_.refuse_single_axis("a contour");
     turned_ = draft_.axis(axes_[0]) > draft_.axis(axes_[1]);
     if (auto begun = begin(); !begun) return fail(begun.error());
     for (std::size_t i = 0; i < contour_.steps.size(); ++i) {
@@ -33,7 +33,7 @@ class Recorder {
     if (!direction_) return draft_.refuse("the contour has no line and no arc.");
     if (entries_ > draft_.catalog.contour_size)
       return draft_.refuse(
-          fmt::format("it has {} entries, and the board keeps {}.", entries_, draft_.catalog.contour_size));
+          fmt::format("it has {} entries, and the board holds {}.", entries_, draft_.catalog.contour_size));
     draft_.line(contour_.ends_ramped ? "CE" : "CK");
     made_.way_there.to[ix(axes_[0])] = contour_.x - contour_.lead_in * (*direction_)[0];
     made_.way_there.to[ix(axes_[1])] = contour_.y - contour_.lead_in * (*direction_)[1];
@@ -63,13 +63,14 @@ class Recorder {
     if (const auto* move = std::get_if<seq::Move>(&step.body)) return line(*move);
     if (const auto* round = std::get_if<seq::Arc>(&step.body)) return arc(*round);
     if (const auto* switched = std::get_if<seq::Output>(&step.body)) return output(*switched);
-    return draft_.refuse("a contour holds moves, arcs and outputs only.");
+    return draft_.refuse_in_contour();
   }
   Result<> line(const seq::Move& m) {
     if (m.relative) return draft_.refuse("moves of a contour are absolute.");
     for (int a = 0; a < draft_.axis_count(); ++a)
       if (m.to[ix(a)] && a != axes_[0] && a != axes_[1])
-        return draft_.refuse(fmt::format("the contour lies in {}: nothing else moves on the way.", plane()));
+        return draft_.refuse(
+            fmt::format("the contour lies in {}, and no other axis can move in it.", plane()));
     const auto to = point(m.to[ix(axes_[0])].value_or(unit(0)), m.to[ix(axes_[1])].value_or(unit(1)));
     if (!to) return fail(to.error());
     const double dx = (*to)[0] - here_[0], dy = (*to)[1] - here_[1], length = std::hypot(dx, dy);
@@ -81,7 +82,7 @@ class Recorder {
   }
   Result<> arc(const seq::Arc& a) {
     if (a.plane != contour_.plane)
-      return draft_.refuse(fmt::format("the contour lies in {}, and so do its arcs.", plane()));
+      return draft_.refuse(fmt::format("the contour lies in {}, and its arcs must lie there too.", plane()));
     if (!draft_.alike(a.plane))
       return draft_.refuse("its axes differ in their counts per unit: the arc would be an ellipse.");
     const auto centre = point(a.x, a.y);
@@ -108,12 +109,12 @@ class Recorder {
     return {};
   }
 
-  /// A command takes one entry, and one more for each operand (decision M18).
+  /// Adds a command: it takes one entry, and one more for each operand (decision M18).
   void put(std::string_view letters, std::string_view operands, int count) {
     draft_.line(fmt::format("{}{};", letters, operands));
     entries_ += 1 + count;
   }
-  /// The present place on one of its axes, in units.
+  /// The present place on an axis of the contour, in units.
   [[nodiscard]] double unit(std::size_t i) const {
     return here_[i] / draft_.sequence.axes[ix(axes_[i])].per_unit;
   }

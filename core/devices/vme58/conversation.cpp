@@ -15,14 +15,14 @@ constexpr Duration ring_look = std::chrono::microseconds(500);
 constexpr Duration taking_patience = Millis(250);  // the board takes text at once unless a queue is full
 constexpr Duration stop_patience = Millis(20);     // then the mailbox stops all axes
 constexpr Duration greeting_patience =
-    std::chrono::seconds(3);  // then it may be lost, and is requested again
+    std::chrono::seconds(3);  // after this time the greeting may be lost, and is requested again
 constexpr std::string_view greeting_question = "WY";
 
 bool is_greeting(std::string_view reply) { return decode_greeting(reply).has_value(); }
 
 Fault not_understood(std::string_view reply, std::string_view question) {
   return Fault(FaultKind::garbled,
-               fmt::format("The board answered \"{}\" to {}, which is not a valid answer.", reply,
+               fmt::format("The board answered \"{}\" to {}, which is not a valid reply.", reply,
                            without_end(question)),
                "It is asked again.");
 }
@@ -79,7 +79,8 @@ Task<Result<bool>> Conversation::put(std::string text, Priority priority) {
   if (!stands) co_return fail(stands.error());
   std::vector<BusCycle>& cycles = wire_.burst();
   const int end = advanced(put_, static_cast<int>(text.size()));
-  // The board takes nothing while the host's other index is invalid: another program may have spoiled it.
+  // Writes the host's other index too: another program may have spoiled it, and the board takes nothing while
+  // it is invalid.
   cycles.push_back(BusCycle::store(2, at::input_get_index, static_cast<std::uint32_t>(get_)));
   cycles.push_back(BusCycle::store(2, at::output_put_index, static_cast<std::uint32_t>(end)));
   auto published = co_await wire_.run(cycles, priority);
@@ -102,7 +103,7 @@ Task<Result<>> Conversation::fill(std::string_view text, int from, Priority prio
   if (!done) co_return done;
   if (reply_text(std::span(cycles).subspan(text.size())) == text) co_return Result<>();
   co_return fail(FaultKind::garbled, "The command ring does not contain the text that was written into it.",
-                 "The bus has lost it.", "Check the bus, and send it again.");
+                 "The bus has lost the text.", "Check the bus, then send the text again.");
 }
 
 Task<Result<bool>> Conversation::is_taken(Priority priority) {
@@ -127,7 +128,7 @@ Task<Result<bool>> Conversation::withdraw(Priority priority, int from) {
   const std::string blanks(static_cast<std::size_t>(waiting(put_, begin)), ' ');
   if (blanks.empty()) co_return false;
   selection_.lose();
-  if (owed_) owed_->greeting_asked.reset();  // its WY may have been blanked
+  if (owed_) owed_->greeting_asked.reset();  // the WY behind the question may have been blanked
   auto filled = co_await fill(blanks, begin, priority);
   if (!filled) co_return fail(filled.error());
   const auto stands = co_await wire_.read_index(at::output_get_index, priority);
@@ -176,10 +177,10 @@ Task<Result<>> Conversation::write(std::string text, Priority priority, WhenStuc
     taken_back_ = *withdrawn;
   }
   co_return fail(FaultKind::no_answer,
-                 "The board takes no command now: a command queue is full, or it waits in WQ.",
+                 "The board accepts no command now: a command queue is full, or it waits in WQ.",
                  waits ? "The commands wait in the ring and will be carried out when there is room."
                        : "The commands were removed from the ring.",
-                 "Wait until its queues have room, or stop it.");
+                 "Wait until its queues have room, or stop the axes.");
 }
 
 // ---- questions
@@ -201,13 +202,13 @@ Task<Result<std::vector<std::string>>> Conversation::ask_several(std::string tex
 Task<Result<std::vector<std::string>>> Conversation::converse(std::string text, std::size_t count,
                                                               Priority priority, ReplyForm form,
                                                               Duration patience, bool closes) {
-  auto clear = co_await let_owed_go(priority);
+  auto clear = co_await wait_for_abandoned(priority);
   if (!clear) co_return fail(clear.error());
   const Instant asked_at = wire_.now();
   const int put_before = put_;
   std::vector<std::string> replies;
   auto asked = co_await write(text, priority);
-  if (put_ != put_before) owed_ = Owed{};  // in case this ends before the reply has come
+  if (put_ != put_before) owed_ = Owed{};  // in case a stop ends this before the reply arrives
   if (asked) asked = co_await collect(replies, count, priority, asked_at + patience, text, closes);
   if (!asked) co_return fail(asked.error());
   for (const std::string& reply : replies)
@@ -228,7 +229,7 @@ Task<Result<>> Conversation::collect(std::vector<std::string>& replies, std::siz
       std::string reply = std::move(replies_.front());
       replies_.pop_front();
       closed = closes && is_greeting(reply);
-      if (!greets && is_greeting(reply)) continue;  // late, of an earlier question
+      if (!greets && is_greeting(reply)) continue;  // a late reply to an earlier WY
       wire_.record(Way::received, priority, reply);
       if (!closed) replies.push_back(std::move(reply));
     }
@@ -254,7 +255,7 @@ Task<Result<>> Conversation::collect(std::vector<std::string>& replies, std::siz
 }
 
 /// Waits for owed replies, so that none of them is taken for the reply to the next question.
-Task<Result<>> Conversation::let_owed_go(Priority priority) {
+Task<Result<>> Conversation::wait_for_abandoned(Priority priority) {
   auto fetched = co_await fetch_all(priority);
   if (!fetched) co_return fetched;
   if (owed_ && !owed_->greeting_asked) {
@@ -268,20 +269,21 @@ Task<Result<>> Conversation::let_owed_go(Priority priority) {
   while (owed_ && !take_greeting()) {
     if (wire_.now() >= give_up) {
       if (wire_.now() > *owed_->greeting_asked + greeting_patience) owed_->greeting_asked.reset();
-      co_return fail(FaultKind::no_answer, "The board has not answered an earlier question yet.",
+      co_return fail(FaultKind::no_answer, "The board has not answered an earlier query yet.",
                      "Nothing was sent.");
     }
     auto paused = co_await wire_.pause(ring_look);
     if (!paused) co_return paused;
     fetched = co_await fetch_all(priority);
     if (!fetched) co_return fetched;
-    if (owed_ && !owed_->greeting_asked) break;  // its WY was taken back with the ring
+    if (owed_ && !owed_->greeting_asked) break;  // the WY was taken back with the other text in the ring
   }
   give_unsolicited();
   co_return Result<>();
 }
 
-/// Whether the greeting requested behind the owed replies has come: these have then all come before it.
+/// Whether the greeting requested behind the owed replies has arrived: all owed replies have then arrived
+/// before it.
 bool Conversation::take_greeting() {
   while (!replies_.empty()) {
     const bool came = owed_->greeting_asked && is_greeting(replies_.front());

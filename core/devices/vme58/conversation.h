@@ -3,9 +3,9 @@
 // questions.
 //
 // The board answers in the order of its ring. The reply to an abandoned question (after a stop or a timeout)
-// may still come at any time, and may look like the reply to the next one. WY follows such a question, as its
-// reply cannot be mistaken. Until that greeting comes no question is asked and no reply is trusted. A text of
-// several questions also ends with WY, which exposes a missing or extra reply.
+// may still come at any time, and may look like the reply to the next one. WY is sent after such a question,
+// as the reply to WY is unmistakable. Until that greeting comes no question is asked and no reply is trusted.
+// A text of several questions also ends with WY, which exposes a missing or extra reply.
 #include <deque>
 #include <optional>
 #include <string>
@@ -49,7 +49,7 @@ class Conversation {
   /// unexpected time: it is taken back, unless `when_stuck` is `leave`.
   Task<Result<>> write(std::string text, Priority priority, WhenStuck when_stuck = WhenStuck::withdraw);
   /// The text that write() gave up was taken back before the board read any of it.
-  [[nodiscard]] bool took_back() const { return taken_back_; }
+  [[nodiscard]] bool was_taken_back() const { return taken_back_; }
   /// Restores the axis selected by the user's text, if text taken back has left it in doubt.
   Task<Result<>> select_again(Priority priority);
   /// Whether the board has taken all text.
@@ -61,10 +61,10 @@ class Conversation {
   /// Whether text was put that the board is not known to have taken.
   [[nodiscard]] bool is_under_way() const { return on_its_way_; }
   [[nodiscard]] bool waits_in_wq() const { return in_wq_; }
-  /// End of the command ring. Changes with each text put, so it shows whether one was.
+  /// End of the command ring. It changes with each text put, so it shows whether a text was put.
   [[nodiscard]] int end() const { return put_; }
   [[nodiscard]] const std::string& last_sent() const { return last_sent_; }
-  /// The latest text that was no poll: the user's, or sent on the user's behalf.
+  /// The latest text that was not a poll: the user's own, or one sent for the user.
   [[nodiscard]] const std::string& last_not_polled() const { return last_not_polled_; }
 
   // ---- replies
@@ -75,7 +75,7 @@ class Conversation {
                                                      ReplyForm form);
   /// Fetches unsolicited replies up to `input_put`.
   Task<Result<>> receive(int input_put, Priority priority);
-  /// Echo is on (EN): sent text comes back between the reply frames.
+  /// Echo is on (EN): sent text is received again between the reply frames.
   void echoes(bool on) { echo_ = on; }
 
  private:
@@ -87,7 +87,7 @@ class Conversation {
   Task<Result<bool>> withdraw(Priority priority, int from);
   Task<Result<>> fetch(int input_put, Priority priority);
   Task<Result<>> fetch_all(Priority priority);
-  Task<Result<>> let_owed_go(Priority priority);
+  Task<Result<>> wait_for_abandoned(Priority priority);
   Task<Result<std::vector<std::string>>> converse(std::string text, std::size_t count, Priority priority,
                                                   ReplyForm form, Duration patience, bool closes);
   Task<Result<>> collect(std::vector<std::string>& replies, std::size_t count, Priority priority,

@@ -113,8 +113,8 @@ Task<Result<std::string>> Vme58Driver::stop(const StopOrder& order) {
   if (order.what == StopOrder::What::broadcast) co_return std::string();
   const bool tool = order.what == StopOrder::What::tool;
   if (tool && !talk_.conversation.is_known())
-    co_return fail(FaultKind::no_answer, "The board's command ring is not known yet.",
-                   "The tool is as it was.");
+    co_return fail(FaultKind::no_answer, "The console has not read the board's command ring yet.",
+                   "The tool was not switched off.");
   Result<> sent;
   if (tool)
     sent = co_await known_.lines.switch_tool_off(order.tool);

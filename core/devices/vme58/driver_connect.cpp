@@ -152,16 +152,16 @@ Task<Result<>> Vme58Driver::found_reset(Doubt why) {
 Task<Result<>> Vme58Driver::reset_by_text(std::string text) {
   const auto put = co_await talk_.conversation.put(std::move(text), Priority::intent);
   if (!put) co_return fail(put.error());
-  if (*put) co_return co_await starts_again("RS was put into its ring.");
-  co_return fail(FaultKind::no_answer, "The board takes no RS now.", "Nothing was sent.",
-                 "The console's own reset goes past the ring.");
+  if (*put) co_return co_await starts_again("RS was written into its ring.");
+  co_return fail(FaultKind::no_answer, "The board accepts no RS now.", "Nothing was sent.",
+                 "Use the console's own reset, which bypasses the ring.");
 }
 
 /// The console's own reset.
 Task<Result<>> Vme58Driver::reset() {
   if (auto may = talk_.commands.may_talk(); !may) co_return may;
   auto mailed = co_await talk_.mailbox.mail("RS");
-  if (mailed) mailed = co_await starts_again("RS was put into its mailbox.");
+  if (mailed) mailed = co_await starts_again("RS was written into its mailbox.");
   if (!mailed) co_return fail(when_put(mailed.error()));
   co_return mailed;
 }
@@ -184,7 +184,7 @@ Task<Result<>> Vme58Driver::starts_again(std::string_view how) {
     if (!paused) co_return paused;
   }
   co_return fail(FaultKind::no_answer,
-                 seen ? "The board does not start again." : "The board does not act on RS.", std::string(how),
+                 seen ? "The board has not restarted." : "The board does not act on RS.", std::string(how),
                  "Reset the crate, or switch its power off and on.");
 }
 

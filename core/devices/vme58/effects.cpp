@@ -21,7 +21,7 @@ void Effects::note(const TextCommand& command) {
       break;
     case Op::EN: conversation_.echoes(true); break;
     case Op::ET:
-      if (one) loops_.leaves_its_place(axis);  // it follows its encoder input
+      if (one) loops_.leaves_its_place(axis);  // the axis follows its encoder input
       break;
     case Op::AC:
     case Op::VL: speeds_.note(command); break;

@@ -23,7 +23,7 @@ class Effects {
   void note(const TextCommand& command);
   /// The same for a command of a program, which the board has taken and may carry out later.
   void note_queued(const TextCommand& command);
-  /// `whole`: all of it was carried out.
+  /// `whole`: all of the program was carried out.
   void program_ended(bool whole) { lines_.program_ended(whole); }
 
  private:

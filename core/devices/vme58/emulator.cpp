@@ -10,7 +10,6 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr int most_events_at_one_time = 100'000;  // then time must advance
 constexpr std::string_view memory_text = "# A VME58 keeps nothing without power.\n";
 
 }  // namespace
@@ -45,7 +44,7 @@ void Vme58Emulator::advance_to(Instant now) {
     const auto next = board_.next_event();
     if (!next || *next > now) break;
     at_one_time = *next > board_.now() ? 0 : at_one_time + 1;
-    if (at_one_time > most_events_at_one_time) break;
+    if (at_one_time > most_events_at_once) break;
     board_.advance(std::max(*next, board_.now()));
   }
   if (now > board_.now()) board_.advance(now);

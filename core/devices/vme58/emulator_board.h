@@ -147,7 +147,7 @@ class Board {
   [[nodiscard]] bool any_occupied(unsigned axes) const;
   [[nodiscard]] bool all_in_position(unsigned axes) const;
   void look_ahead(int context);
-  void keep_promises(BoardTask& t);
+  void raise_promised_flags(BoardTask& t);
   [[nodiscard]] bool runs_empty(int context) const;
   Step wait_time(BoardTask& t, const Command& c);
   Step open_block(BoardTask& t, const Command& c);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/rounded_steps.h"
 #include "core/devices/vme58/emulator_motion.h"
 
 namespace hw::vme58 {
@@ -48,7 +49,7 @@ void Motion::schedule_correction(int a) {
   const double pulses =
       wanted ? static_cast<double>(x.error()) * s.motor_counts_per_ratio / s.encoder_counts_per_ratio : 0;
   const double speed = std::min(s.hold_velocity, std::abs(pulses) * s.hold_gain);
-  const auto left = static_cast<std::int64_t>(std::llround(std::clamp(pulses, -1e15, 1e15)));
+  const std::int64_t left = rounded_steps(pulses).value;
   const Sign way = left < 0 ? Sign::minus : Sign::plus;
   if (left == 0 || speed <= 0 || (s.limits_on && x.plant.limit_operated(way))) {
     x.correct_at.reset();

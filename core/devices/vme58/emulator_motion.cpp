@@ -90,11 +90,11 @@ Run& Motion::free_run() {
 }
 
 void Motion::begin(RunKind kind, unsigned axes, Track track, const Profile& profile, double wanted,
-                   std::shared_ptr<const Score> score) {
+                   std::shared_ptr<const ContourPlan> contour_plan) {
   Run& r = free_run();
   r = Run();
   r.active = true, r.kind = kind, r.axes = axes;
-  r.track = std::move(track), r.profile = profile, r.wanted = wanted, r.score = std::move(score);
+  r.track = std::move(track), r.profile = profile, r.wanted = wanted, r.plan = std::move(contour_plan);
   for (int a = 0; a < most_axes; ++a) {
     if (!r.has(a)) continue;
     MotionAxis& x = axes_[ix(a)];
@@ -120,7 +120,7 @@ void Motion::continue_by(Run& r, const Profile& profile) {
 
 /// Handles what is due at the present step of the run. A new run is checked before its first count.
 void Motion::look(Run& r) {
-  if (r.score && !follow_cues(r)) return;
+  if (r.plan && !follow_events(r)) return;
   for (int a = 0; a < most_axes; ++a) {
     if (!r.has(a)) continue;
     watch_error(a);
@@ -159,9 +159,9 @@ bool Motion::met_limit(Run& r, int a) {
 
 std::optional<std::int64_t> Motion::counts_left(const Run& r, int a) const {
   if (r.kind == RunKind::contour) {
-    for (const Cue& cue : r.score->cues)
-      if (cue.what == Cue::What::end)
-        return (std::max<std::int64_t>(cue.step - r.applied, 0) + motion::Contour::steps_per_count - 1) /
+    for (const ContourEvent& event : r.plan->events)
+      if (event.what == ContourEvent::What::end)
+        return (std::max<std::int64_t>(event.step - r.applied, 0) + motion::Contour::steps_per_count - 1) /
                motion::Contour::steps_per_count;
   }
   if (r.kind != RunKind::move || r.stopping) return std::nullopt;
@@ -178,11 +178,11 @@ void Motion::report_nearly_done(Run& r, int a) {
 
 void Motion::plan(Run& r) {
   r.mark_turn();
-  if (r.score && r.cue < r.score->cues.size()) {
-    r.next_mark = std::min(r.next_mark, r.score->cues[r.cue].step);
+  if (r.plan && r.event < r.plan->events.size()) {
+    r.next_mark = std::min(r.next_mark, r.plan->events[r.event].step);
     for (const MotionAxis& x : axes_) {
       if (x.run < 0 || &runs_[ix(x.run)] != &r || !x.notify) continue;
-      const std::int64_t step = r.score->cues.back().step - *x.notify * motion::Contour::steps_per_count;
+      const std::int64_t step = r.plan->events.back().step - *x.notify * motion::Contour::steps_per_count;
       if (step > r.applied) r.next_mark = std::min(r.next_mark, step);
     }
   }
@@ -227,7 +227,7 @@ void Motion::finish(Run& r, End end) {
   if (end == End::reached) apply(r, r.last_step());
   const unsigned axes = r.axes;
   r.active = false;
-  r.score.reset();
+  r.plan.reset();
   for (int a = 0; a < most_axes; ++a) {
     if ((axes >> a & 1u) == 0) continue;
     MotionAxis& x = axes_[ix(a)];

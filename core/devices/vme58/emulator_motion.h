@@ -161,7 +161,7 @@ class Motion {
 
   // Runs (emulator_motion.cpp).
   void begin(RunKind kind, unsigned axes, Track track, const motion::Profile& profile, double wanted,
-             std::shared_ptr<const Score> score = nullptr);
+             std::shared_ptr<const ContourPlan> contour_plan = nullptr);
   /// Continues the run from where it is with another profile.
   void continue_by(Run& run, const motion::Profile& profile);
   void bring_up_to_date();
@@ -199,7 +199,7 @@ class Motion {
 
   // Homing, contours (emulator_home.cpp, emulator_playing.cpp).
   bool found_home(Run& run, int axis);
-  bool follow_cues(Run& run);
+  bool follow_events(Run& run);
 
   // Servo loops, holding, slip, tracking (emulator_servo.cpp, emulator_hold.cpp).
   [[nodiscard]] bool at_work(int axis) const;

@@ -14,9 +14,9 @@ Result<> Motion::place(int a, const AxisPlace& place) {
     return fail(FaultKind::refused, std::string(problem) + ".", "Nothing was changed.");
   if (auto bad = check_place(place, true); !bad) return bad;
   if (place.motor && place.motor->present && !x.servo())
-    return fail(FaultKind::refused, "The bench was asked to give a step axis a servo motor.",
+    return fail(FaultKind::refused, "A step axis of the bench cannot have a servo motor.",
                 "Nothing was changed.",
-                "Motors are for servo axes; the variant of the board says which axes these are.");
+                "Give motors to servo axes only; the variant of the board says which axes these are.");
   const std::int64_t encoder = x.encoder();
   x.plant.set_place(place);
   const auto& motor = x.plant.place().motor;

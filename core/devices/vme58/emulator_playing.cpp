@@ -16,7 +16,7 @@ constexpr double longest = 1e12;  // counts: eleven days at full speed
 constexpr auto fine = static_cast<double>(motion::Contour::steps_per_count);
 
 /// Adds the pieces of `contour` to `track` and the actions due along it to `score`. False: it is too long.
-bool write_score(const Contour& contour, motion::Contour& track, Score& score) {
+bool write_plan(const Contour& contour, motion::Contour& track, ContourPlan& plan) {
   const auto here = [&track] { return track.end_of(track.pieces() - 1); };
   std::array<std::size_t, most_axes> places{};  // places of the contour's axes, in order
   std::size_t count = 0;
@@ -25,7 +25,7 @@ bool write_score(const Contour& contour, motion::Contour& track, Score& score) {
   motion::Contour::Point point = track.end();
   for (std::size_t i = 0; i < count; ++i) point[places[i]] = static_cast<double>(contour.start[places[i]]);
   track.line_to(point);
-  score.cues.push_back({Cue::What::at_speed, here()});
+  plan.events.push_back({ContourEvent::What::at_speed, here()});
   for (const RecordedPiece& piece : contour.pieces) {
     switch (piece.kind) {
       case RecordedPiece::Kind::line:
@@ -39,13 +39,13 @@ bool write_score(const Contour& contour, motion::Contour& track, Score& score) {
                   static_cast<double>(piece.centre_second), piece.angle);
         break;
       case RecordedPiece::Kind::outputs:
-        score.cues.push_back({Cue::What::output, here(), piece.outputs, piece.high});
+        plan.events.push_back({ContourEvent::What::output, here(), piece.outputs, piece.high});
         break;
     }
     if (track.length() > longest) return false;
   }
-  score.cues.push_back({Cue::What::end, here()});
-  score.kill = contour.kill;
+  plan.events.push_back({ContourEvent::What::end, here()});
+  plan.kill = contour.kill;
   if (!contour.kill) track.ray();
   return true;
 }
@@ -65,35 +65,35 @@ bool Motion::play(const Contour& contour) {
     base = std::min(base, x.settings.base_velocity);
   }
   auto track = std::make_shared<motion::Contour>(here);
-  auto score = std::make_shared<Score>();
-  if (!write_score(contour, *track, *score)) return false;
+  auto plan = std::make_shared<ContourPlan>();
+  if (!write_plan(contour, *track, *plan)) return false;
   const Pps cv(board_.contour_velocity * fine);
   Run ramps;  // gives the ramp before the run exists
   ramps.kind = RunKind::contour, ramps.axes = contour.axes;
   const Profile lead = Profile::change(now_, 0, Pps(base * fine), cv, ramp_of(ramps), Profile::endless);
   begin(RunKind::contour, contour.axes, Track(std::shared_ptr<const motion::Contour>(std::move(track))), lead,
-        cv.value, std::move(score));
+        cv.value, std::move(plan));
   return true;
 }
 
 /// Carries out the cues due at the present step. False: the run has ended, or its last ramp has begun.
-bool Motion::follow_cues(Run& r) {
-  const auto score = r.score;
-  while (r.cue < score->cues.size() && score->cues[r.cue].step <= r.applied) {
-    const Cue& cue = score->cues[r.cue++];
-    switch (cue.what) {
-      case Cue::What::at_speed: {
+bool Motion::follow_events(Run& r) {
+  const auto plan = r.plan;
+  while (r.event < plan->events.size() && plan->events[r.event].step <= r.applied) {
+    const ContourEvent& event = plan->events[r.event++];
+    switch (event.what) {
+      case ContourEvent::What::at_speed: {
         const double cv = board_.contour_velocity * fine;
         if (!r.stopping && std::abs(r.profile.speed(now_).value - cv) > 1e-6 * cv)
           r.profile = Profile::constant(now_, static_cast<double>(r.applied), Pps(cv), Profile::endless);
         break;
       }
-      case Cue::What::output:
+      case ContourEvent::What::output:
         for (int a = 0; a < most_axes; ++a)
-          if ((cue.outputs >> a & 1u) != 0) note_event(MotionEvent::What::output, a, cue.high);
+          if ((event.outputs >> a & 1u) != 0) note_event(MotionEvent::What::output, a, event.high);
         break;
-      case Cue::What::end:
-        if (score->kill)
+      case ContourEvent::What::end:
+        if (plan->kill)
           finish(r, End::cut);
         else
           stop_run(r);

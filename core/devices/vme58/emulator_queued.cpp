@@ -142,7 +142,7 @@ Board::Step Board::raise_done(int context, bool in_position) {
   const unsigned axes = flagged_axes(context);
   if (context == context_tasks) {
     tasks_[ix(context)].promises.push_back({axes, in_position});
-    keep_promises(tasks_[ix(context)]);
+    raise_promised_flags(tasks_[ix(context)]);
     return Step::done;
   }
   if (in_position && !all_in_position(axes)) return Step::waits;
@@ -153,7 +153,7 @@ Board::Step Board::raise_done(int context, bool in_position) {
 Board::Step Board::promise_each(int context) {
   BoardTask& t = tasks_[ix(context)];
   each_axis(flagged_axes(context), [&](int a) { t.promises.push_back({1u << a, false}); });
-  keep_promises(t);
+  raise_promised_flags(t);
   return Step::done;
 }
 

@@ -35,7 +35,7 @@ void Board::run_queues() {
 /// True: a command was carried out.
 bool Board::run_task(int context) {
   BoardTask& t = tasks_[ix(context)];
-  keep_promises(t);
+  raise_promised_flags(t);
   bool progress = false;
   while (const Command* c = t.queue.current()) {
     if (t.running != 0) {
@@ -141,7 +141,7 @@ void Board::look_ahead(int context) {
   }
 }
 
-void Board::keep_promises(BoardTask& t) {
+void Board::raise_promised_flags(BoardTask& t) {
   const auto kept = [this](const BoardTask::Promise& p) {
     if (any_occupied(p.axes) || (p.in_position && !all_in_position(p.axes))) return false;
     set_done(p.axes);

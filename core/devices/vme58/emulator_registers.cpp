@@ -107,7 +107,7 @@ void Board::take_mail() {
   const std::string_view text(letters.data(), letters.size());
   if (std::find(mailbox_commands.begin(), mailbox_commands.end(), text) == mailbox_commands.end())
     return command_error();
-  if (make_.deaf_mailbox) return;  // mail is acknowledged without effect
+  if (make_.ignores_mail) return;  // mail is acknowledged without effect
   Command urgent;
   urgent.fact = find_command(letters[0], letters[1], where::any);
   do_at_once(urgent);

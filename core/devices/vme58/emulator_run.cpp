@@ -4,12 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/base/rounded_steps.h"
 namespace hw::vme58 {
 namespace {
 
-constexpr double furthest = 1e15;  // keeps sums of absurd distances defined
-
-std::int64_t whole(double counts) { return std::llround(std::clamp(counts, -furthest, furthest)); }
+std::int64_t whole(double counts) { return rounded_steps(counts).value; }
 
 std::int64_t floor_to(std::int64_t value, std::int64_t grid) {
   const std::int64_t rest = value % grid;

@@ -64,7 +64,7 @@ class Track {
 };
 
 /// An action due at a step of a contour being played.
-struct Cue {
+struct ContourEvent {
   enum class What : std::uint8_t { at_speed, output, end };
   What what;
   std::int64_t step;
@@ -73,8 +73,8 @@ struct Cue {
 };
 
 /// A contour prepared for playing. Shared by runs and never changed.
-struct Score {
-  std::vector<Cue> cues;  ///< in the order of their steps
+struct ContourPlan {
+  std::vector<ContourEvent> events;  ///< in the order of their steps
   bool kill = false;
 };
 
@@ -84,8 +84,8 @@ struct Run : motion::Course<Track> {
   RunKind kind = RunKind::move;
   unsigned over_limit = 0;  ///< axes that ramp down beyond their switch (SL)
   double wanted = 0;        ///< commanded speed in steps/s, whatever the present one
-  std::shared_ptr<const Score> score;
-  std::size_t cue = 0;
+  std::shared_ptr<const ContourPlan> plan;
+  std::size_t event = 0;
 };
 
 /// Range and number of counts of a counter, for rehearsals.

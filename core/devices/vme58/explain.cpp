@@ -25,8 +25,8 @@ const std::string* help_of(const TextCommand& command) {
   return found;
 }
 
-// A line of traffic does not show the mode left by the lines before it. It is read as a single-axis line; if
-// that makes no sense, as a line of AA or of a contour.
+// A line of traffic does not show the mode left by the lines before it. It is read as a single-axis line or,
+// if that makes no sense, as a line of AA or of a contour.
 std::vector<TextCommand> commands_in_likely_mode(std::string_view bytes) {
   std::vector<TextCommand> best;
   std::ptrdiff_t fewest = 0;
@@ -47,7 +47,7 @@ std::vector<TextCommand> commands_in_likely_mode(std::string_view bytes) {
 std::string explain_sent(std::string_view bytes) {
   if (bytes == "data area") return "registers read, axis data asked for and read";
   if (bytes.starts_with("mailbox "))
-    return "urgent, past everything that waits: " + explain_sent(bytes.substr(8));
+    return "urgent, ahead of everything that waits: " + explain_sent(bytes.substr(8));
   std::string all;
   std::size_t explained = 0;
   const auto commands = commands_in_likely_mode(bytes);
@@ -62,7 +62,7 @@ std::string explain_sent(std::string_view bytes) {
       all += fmt::format("{}: ", commands.front().text.substr(1) == "A"   ? "all axes"
                                  : commands.front().text.substr(1) == "M" ? "a group"
                                                                           : commands.front().text.substr(1));
-    all += help ? *help : "no command of the data sheet";
+    all += help ? *help : "not a command of the data sheet";
   }
   return all;
 }

@@ -96,6 +96,7 @@ inline constexpr std::int64_t distance_max = 67'000'000;
 inline constexpr std::int64_t velocity_max = 1'044'000;      ///< counts/s
 inline constexpr std::int64_t acceleration_max = 8'000'000;  ///< counts/s²
 inline constexpr std::int64_t wait_max_ms = 4'294'967'295;   ///< decision M64
+inline constexpr std::int64_t whole_max = 2'147'483'647;     ///< where the manual names no limit
 inline constexpr int queue_entries = 200;                    ///< of each axis queue, of AA's, of AM's
 inline constexpr int contour_entries = 200;                  ///< decision M21
 inline constexpr int loop_levels = 4;

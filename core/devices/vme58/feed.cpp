@@ -33,7 +33,7 @@ void Feed::begin() {
 }
 
 /// If the user's text has selected an axis meanwhile, adds the program's selector before the command and the
-/// user's after it. Never within a contour: a selector would end it.
+/// user's after it. Not within a contour, which a selector would end.
 std::string Feed::text_for(std::string_view command, const Context& after) const {
   const std::string users = selection_.selector(), own = context_.selector();
   std::string text;
@@ -44,8 +44,7 @@ std::string Feed::text_for(std::string_view command, const Context& after) const
 }
 
 std::string Feed::rejected_late() const {
-  return fmt::format("The board rejected a command of lines 1 to {} when its turn in a queue came.",
-                     fed_.line + 1);
+  return fmt::format("The board rejected a command of lines 1 to {} when a queue reached it.", fed_.line + 1);
 }
 
 Task<Result<std::optional<std::string>>> Feed::go_on() {
@@ -88,7 +87,7 @@ Task<Result<std::optional<std::string>>> Feed::finish() {
     std::string what = fed_.waits ? rejected_late()  // other commands may have run meanwhile
                                   : fmt::format("Line {}: the board rejected \"{}\".", fed_.line + 1, sent);
     what += commands_.open_loop_words(sent, fed_.before);
-    selection_.lose();  // it may have been a selector
+    selection_.lose();  // the rejected command may have been a selector
     if (!apart_) selection_.set(fed_.before);
     co_return what;
   }

@@ -31,14 +31,15 @@ class Feed {
   /// See Effects::program_ended().
   void program_ended(bool whole) { effects_.program_ended(whole); }
   [[nodiscard]] bool is_under_way() const { return snapshot_.feed.running; }
-  /// The user's text selects an axis during a feed: user and program each keep their own selection.
+  /// Call when the user's text selects an axis during a feed: from then on, user and program each keep their
+  /// own selection.
   void user_selects() { apart_ = apart_ || is_under_way(); }
   void forget();
 
  private:
   struct Fed {
     std::string text;  ///< sent, not yet taken
-    Context before;    ///< in which it is read
+    Context before;    ///< in which the board reads it
     int line = 0;
     bool waits = false;  ///< not taken at once by the board
   };

@@ -50,7 +50,7 @@ Task<Result<>> Finding::identify() {
   std::string text = "EF\n";
   auto quiet = co_await conversation_.write(std::move(text), Priority::intent);
   if (!quiet) co_return quiet;
-  auto let = co_await conversation_.let_go();  // echo left on by another program is no reply
+  auto let = co_await conversation_.let_go();  // text echoed for another program is not a reply
   if (!let) co_return let;
   auto asked = co_await ask_variant();
   if (!asked) co_return asked;
@@ -58,7 +58,7 @@ Task<Result<>> Finding::identify() {
   text = "RB\n";
   auto directions = co_await conversation_.ask(std::move(text), Priority::intent, hex);
   if (!directions) co_return fail(directions.error());
-  lines_.go_these_ways(decode_hex(*directions).value_or(factory_outputs));
+  lines_.take_directions(decode_hex(*directions).value_or(factory_outputs));
   co_return Result<>();
 }
 
@@ -85,11 +85,10 @@ Task<Result<>> Finding::ask_axes(std::string_view reported_variant) {
   const auto fields = decode_numbers(*positions);
   const int axes = fields ? static_cast<int>(fields->size()) : 0;
   if (axes != variant_.axes() || (!reported_variant.empty() && find_variant(reported_variant) != &variant_))
-    wire_.report(
-        Notice::Kind::warning,
-        fmt::format("The board says that it is a {} with {} axes; it was opened as an {}. Open it with "
-                    "variant={} in its address.",
-                    snapshot_.identity.model.view(), axes, catalog_.name, reported_variant));
+    wire_.report(Notice::Kind::warning,
+                 fmt::format("Open the board with variant={3} in its address: it reports that it is a {0} "
+                             "with {1} axes, and it was opened as an {2}.",
+                             snapshot_.identity.model.view(), axes, catalog_.name, reported_variant));
   co_return Result<>();
 }
 
@@ -100,7 +99,7 @@ Task<Result<>> Finding::forget_others_units() {
   co_return co_await conversation_.write(std::move(text), Priority::intent);
 }
 
-// Another program's mark counts too.
+// Whether the cell holds a mark; another program's mark counts too.
 Task<Result<bool>> Finding::is_marked() {
   std::vector<BusCycle>& cycles = wire_.burst();
   cycles.push_back(BusCycle::read(2, at::reserved1));

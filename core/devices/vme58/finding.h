@@ -21,7 +21,7 @@ class Finding {
         variant_(variant),
         snapshot_(snapshot) {}
 
-  /// Only reads, and no cell whose reading has another effect on a board than clearing its flags.
+  /// Only reads, and only cells whose reading has no effect on a board other than clearing flags.
   Task<Result<>> find();
   /// Identifies the board and switches its echo off.
   Task<Result<>> identify();

@@ -20,7 +20,7 @@ class LimitEnds {
   /// Takes the limit register, as read.
   Change take(std::uint8_t limits);
   [[nodiscard]] bool on(int axis) const { return bit(limits_, axis); }
-  /// A motion begins; `stands`: the axis is now at rest.
+  /// A motion begins. `stands`: the axis is at rest now.
   void begins(int axis, bool stands);
   /// The count of the axis has changed in direction `way`.
   void crept(int axis, int way);
@@ -42,8 +42,8 @@ class LimitEnds {
  private:
   struct Axis {
     bool hit = false;         ///< limit flag seen since the motion began
-    bool from_limit = false;  ///< stood on a switch then, and has not left it
-    bool turned = false;      ///< has moved since then
+    bool from_limit = false;  ///< the axis stood on a switch then, and has not left it
+    bool turned = false;      ///< the axis has moved since then
     std::int8_t end = 0;      ///< end of the switch it stands on; 0: not known
     std::int8_t letter = 0;   ///< direction letter when `end` was last judged
   };

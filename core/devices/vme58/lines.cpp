@@ -10,7 +10,7 @@
 
 namespace hw::vme58 {
 
-void Lines::go_these_ways(unsigned outputs) {
+void Lines::take_directions(unsigned outputs) {
   directions_ = outputs;
   const bool same = std::all_of(catalog_.inputs.begin(), catalog_.inputs.end(), [&](const InputInfo& line) {
     return line.of_output == bit(directions_, line.number);
@@ -19,8 +19,8 @@ void Lines::go_these_ways(unsigned outputs) {
   std::string jumpers;
   for (int line = 0; line < first_fixed_output; line += lines_of_a_group)
     jumpers += bit(directions_, line) ? 'O' : 'I';
-  wire_.report(Notice::Kind::warning, fmt::format("The general lines of the board do not have the directions "
-                                                  "shown here. Open it with jumpers={} in its address.",
+  wire_.report(Notice::Kind::warning, fmt::format("Open the board with jumpers={} in its address: its "
+                                                  "general lines do not have the directions shown here.",
                                                   jumpers));
 }
 
@@ -68,7 +68,7 @@ Task<Result<>> Lines::set_line(int line, bool on, std::uint32_t mask) {
   co_return fail(FaultKind::controller,
                  fmt::format("Output {} was switched {}, but its line still reads {}.", line,
                              on ? "on (low)" : "off (high)", on ? "high" : "low"),
-                 "It was requested once.",
+                 "It was sent once.",
                  "Check whether a command queue is busy (the command then waits there), and whether the line "
                  "is jumpered as an input.");
 }
@@ -130,7 +130,7 @@ void Lines::program_ended(bool whole) {
 void Lines::as_from_factory() {
   queued_.clear();
   for (int i = 0; i < static_cast<int>(catalog_.axes.size()); ++i)
-    know_auxiliary(i, true);  // decision M37: high, the transistor is off
+    know_auxiliary(i, true);  // decision M37: the output is high: its transistor is off
 }
 
 }  // namespace hw::vme58

@@ -22,7 +22,7 @@ class Lines {
 
   /// Takes the directions that RB reports: bit per line that is an output. The lines are shown as the address
   /// declares them; warns if the board differs.
-  void go_these_ways(unsigned outputs);
+  void take_directions(unsigned outputs);
   /// Takes the levels: bit per line that is high.
   void take(std::uint16_t levels);
   Task<Result<>> set(intent::SetOutput request);
@@ -30,12 +30,12 @@ class Lines {
   Task<Result<>> switch_tool_off(ToolOff tool);
   /// Notes the state of an auxiliary output, which the window does not show.
   void know_auxiliary(int axis, bool on);
-  /// It may be switched at any time: its state is unknown.
+  /// The output may be switched at any time: its state is unknown.
   void doubt_auxiliary(int axis);
-  /// A program switches it when its turn in a queue, or its place on a contour, comes: its state is unknown
-  /// until the program has ended.
+  /// A program switches the output when the command's turn in a queue, or its place on a contour, comes. Its
+  /// state is unknown until the program has ended.
   void queue_auxiliary(int axis, bool on);
-  /// `whole`: all of the program was carried out, so they are as it switched them last.
+  /// `whole`: all of the program was carried out, so the outputs are as it last switched them.
   void program_ended(bool whole);
   void as_from_factory();
 

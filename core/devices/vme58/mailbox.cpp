@@ -29,7 +29,7 @@ Task<Result<bool>> Mailbox::is_free() {
 
 // Reads the letters back, as mail lost by a silent bus would look taken once the bus answers again. Mail
 // written over a word not yet taken may be lost, or replace that word. If the board never takes that word,
-// the mail is written all the same: it may be a stop.
+// the mail is written nevertheless, because it may be a stop.
 Task<Result<>> Mailbox::mail(std::string_view letters) {
   const std::string word(letters);
   const auto free = co_await is_free();
@@ -65,7 +65,7 @@ Task<Result<>> Mailbox::mail_past_ring(std::string_view letters) {
   if (!mailed && mailed.error().kind != FaultKind::no_answer) co_return mailed;
   if (!known) {
     const auto found = co_await conversation_.find_end(Priority::stop);
-    if (!found) co_return mailed;  // there is no board, or it has yet to start
+    if (!found) co_return mailed;  // there is no board, or it has not started yet
   }
   const auto taken = co_await conversation_.is_taken(Priority::stop);
   if (!taken) co_return fail(taken.error());

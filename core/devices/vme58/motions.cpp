@@ -14,7 +14,7 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr Duration rest_time = Millis(400);  // at rest this long without a done flag: may have ended
+constexpr Duration rest_time = Millis(400);  // after this rest without a done flag, a motion may have ended
 
 /// Whether the count was set: no motion could have changed it this far since the last reading.
 bool is_no_motion(const AxisState& axis, Steps change, Instant when) {
@@ -79,7 +79,7 @@ void Motions::show_still(int i, Instant when) {
   }
   const bool there = axis.has_target && axis.command == axis.target;
   const bool limited = limits_.met(i);
-  // A done flag alone is no proof: the board carries out the ID behind a move that a switch has cut short,
+  // A done flag alone proves nothing: the board carries out the ID behind a move that a switch has cut short,
   // and the flag of an earlier motion stays until the move's GD is carried out.
   const bool believed = limits_.has_turned(i) || there || limited || own.wanted == Activity::homing;
   if (own.done && believed && !jogs(i)) return end(i, limited && !there ? EndedBy::limit : EndedBy::target);
@@ -125,13 +125,13 @@ void Motions::take_queues(unsigned has_room, bool were_empty, bool empty) {
     const unsigned its = own.group != 0 ? groups : 1u << i;
     const AxisState& axis = snapshot_.axes[i];
     if ((has_room & its) != its)
-      own.still_since = wire_.now();  // still queued: under way, or yet to begin
+      own.still_since = wire_.now();  // still queued: the motion is under way, or has not begun
     else
       end(i, axis.has_target && axis.command == axis.target ? EndedBy::target : EndedBy::elsewhere);
   }
 }
 
-void Motions::all_worked_off() {
+void Motions::queues_emptied() {
   for (int i = 0; i < count(); ++i) {
     Axis& own = at(i);
     own.by_text = false;
@@ -185,7 +185,8 @@ void Motions::did_not_begin(const Way& way, const Before& before, bool may_begin
 void Motions::end(int i, EndedBy ended_by) {
   AxisState& axis = snapshot_.axes[i];
   Axis& own = at(i);
-  // The stop came behind the switch. On a switch on which it stood at its start the axis must have turned.
+  // The switch ended the motion before the stop. If the axis stood on that switch at its start, it must have
+  // turned since.
   if (ended_by == EndedBy::stop && limits_.has_turned(i) && limits_.met(i)) ended_by = EndedBy::limit;
   ended_by = loops_.judged(i, ended_by);
   if (ended_by == EndedBy::target) comes_home(i);
@@ -201,7 +202,7 @@ void Motions::end(int i, EndedBy ended_by) {
   next_.asks_flags();
 }
 
-/// A motion to the home switch has arrived. KM and KR stop dead from VL.
+/// A motion to the home switch has ended there. KM and KR stop from VL without a ramp.
 void Motions::comes_home(int i) {
   const AtHome how = std::exchange(at(i).at_home, AtHome::nothing);
   if (how == AtHome::sets_counter) trust(i, Trust::homed);
@@ -245,7 +246,7 @@ void Motions::stands(int axis) {
   }
 }
 
-void Motions::is_anothers(int axis) {
+void Motions::moved_by_others(int axis) {
   Axis& own = at(axis);
   own.ours = own.stopping = false;
   own.by_text = true;

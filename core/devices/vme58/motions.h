@@ -33,12 +33,12 @@ class Motions {
   /// Shows an axis that does not turn, as last read.
   void show_still(int axis, Instant at);
   void take_done(unsigned axes);
-  /// Whether an axis with a motion of the console stands and has yet to be reported done.
+  /// Whether an axis with a motion of the console stands, and its done flag was not seen yet.
   [[nodiscard]] bool waits_for_done() const;
   /// `has_room`: bit per empty queue, those of AA and AM after those of the axes.
   void take_queues(unsigned has_room, bool were_empty, bool empty);
   /// All queues are empty and no axis turns.
-  void all_worked_off();
+  void queues_emptied();
   /// The axis rests for no known reason: its queue must be read to see whether the motion has ended.
   [[nodiscard]] bool asks_queue(int axis) const { return at(axis).asks_queue; }
 
@@ -65,8 +65,8 @@ class Motions {
   /// The axis does not turn, and no motion of the console is under way.
   [[nodiscard]] bool at_rest(int axis) const { return !moving(axis) && !ours(axis); }
   /// The axis takes part in a move of several axes.
-  [[nodiscard]] bool in_company(int axis) const { return at(axis).group != 0; }
-  /// An endless jog; a jog to the end of a travel counts as a move.
+  [[nodiscard]] bool moves_in_group(int axis) const { return at(axis).group != 0; }
+  /// Whether the axis jogs without end; a jog to the end of a travel counts as a move.
   [[nodiscard]] bool jogs(int axis) const {
     return at(axis).wanted == Activity::jogging && !snapshot_.axes[axis].has_target;
   }
@@ -78,7 +78,7 @@ class Motions {
   void stopping(int axis, bool at_once);
   void stands(int axis);
   /// A text or program has begun to move the axis after its jog, and that motion continues.
-  void is_anothers(int axis);
+  void moved_by_others(int axis);
 
   // ---- motions of texts and programs
   void note(const TextCommand& command);
@@ -96,7 +96,7 @@ class Motions {
   void queued_was_rejected();
 
   // ---- for how long a motion may show nothing
-  /// Of a jog: until its first count, and between two counts when it is slower than one a second.
+  /// The time of a jog until its first count, and between two counts if it is slower than one count a second.
   [[nodiscard]] Duration jog_gap(int axis, double speed) const;
   /// A jog at `speed` is about to begin.
   void will_jog(int axis, double speed);
@@ -125,7 +125,7 @@ class Motions {
     bool in_group = false;
     bool listed = false;  ///< a list of AA or AM may have prepared a motion for their next GO
     bool asks_queue = false;
-    Duration jog_gap{};      ///< of a jog: time for which it may turn without a visible count or speed
+    Duration jog_gap{};      ///< time for which a jogging axis may turn without a visible count or speed
     Instant creeps_until{};  ///< counts as turning until then
     Instant still_since{};
   };

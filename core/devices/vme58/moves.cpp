@@ -7,6 +7,7 @@
 
 #include "core/base/index.h"
 #include "core/device/axis_check.h"
+#include "core/device/homing.h"
 
 namespace hw::vme58 {
 
@@ -54,7 +55,7 @@ Result<Moves::Request> Moves::checked(const std::vector<AxisTarget>& targets, bo
 /// Sends the text that starts a motion, and shows the motion as begun until the board reports more.
 Task<Result<>> Moves::begin(std::string text, Motions::Way way) {
   forget_rejection(snapshot_);
-  snapshot_.program.ended_by = EndedBy::nothing;  // from here on the end of this motion is reported
+  snapshot_.program.ended_by = EndedBy::nothing;  // from here on the end of the new motion is reported
   const Motions::Before before = motions_.begin(way);
   auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
   if (!sent) motions_.did_not_begin(way, before, wire_.perhaps_done(sent.error()));
@@ -80,8 +81,8 @@ Task<Result<>> Moves::move(std::vector<AxisTarget> targets, intent::Pace request
 
 namespace {
 
-/// VL and AC wait in the queue like the motion, so they can be restored behind it, by the code that sees it
-/// end.
+/// VL and AC wait in the queue like the motion, so the code that sees the motion end can restore them behind
+/// it.
 std::string pace_text(WholePace pace) {
   std::string text;
   if (pace.speed > 0) text += fmt::format("VL{} ", pace.speed);
@@ -142,9 +143,9 @@ Task<Result<>> Moves::jog_slowly(int axis, std::int64_t thousandths) {
   co_return co_await begin_jog(std::move(text), axis);
 }
 
-// A user who is informed that the jog has not begun will not stop it. But the command error may be that of
-// another command, seen while the jog waited in the ring: so this axis alone is stopped, which has no effect
-// at rest.
+// A user who reads that the jog has not begun will not stop it. But the command error may belong to another
+// command and may have been seen while the jog waited in the ring. So this axis alone is stopped, which has
+// no effect at rest.
 Task<Result<>> Moves::begin_jog(std::string text, int axis) {
   Motions::Way way;
   way.axes = 1u << axis;
@@ -158,7 +159,7 @@ Task<Result<>> Moves::begin_jog(std::string text, int axis) {
     if (read && !motions_.moving(axis)) kind = FaultKind::refused;
   } else if (kind == FaultKind::controller) {
     speeds_.forget_put(axis);
-    motions_.stopping(axis, false);  // also a jog before it
+    motions_.stopping(axis, false);  // this also stops an earlier jog
     std::string stop = selection_.addressed(axis, "ST");
     const auto stopped = co_await conversation_.write(std::move(stop), Priority::intent);
     if (!stopped) kind = stopped.error().kind == FaultKind::lost ? FaultKind::lost : FaultKind::no_answer;
@@ -170,15 +171,13 @@ Task<Result<>> Moves::begin_jog(std::string text, int axis) {
 Task<Result<>> Moves::home(intent::Home request) {
   const int axis = request.axis.index;
   if (auto may = may_move(axis); !may) co_return may;
+  if (auto may = check_home(catalog_, request); !may) co_return may;
   const bool plus = request.sign == Sign::plus;
   std::string text;
   switch (static_cast<HomeMode>(request.mode)) {
     case HomeMode::edge: text = plus ? "HM0 ID" : "HR0 ID"; break;
     case HomeMode::back_to_edge: text = plus ? "HM0 MA0 GO ID" : "HR0 MA0 GO ID"; break;
     case HomeMode::stop_dead: text = plus ? "KM ID" : "KR ID"; break;
-    default:
-      co_return fail(FaultKind::refused, fmt::format("There is no homing mode number {}.", request.mode),
-                     "Nothing was sent.");
   }
   const auto pace = checked(request.pace);
   if (!pace) co_return fail(pace.error());

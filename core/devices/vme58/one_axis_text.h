@@ -7,8 +7,8 @@
 
 namespace hw::vme58 {
 
-/// On the same lines, with its comments. None: the text addresses several axes, begins before it has
-/// addressed any, or holds a command that means something else in a list.
+/// The text on the same lines, with its comments. None: it addresses several axes, has a command before it
+/// addresses any, or has a command with another meaning in a list.
 [[nodiscard]] std::optional<std::string> in_lists(std::string_view text);
 
 }  // namespace hw::vme58

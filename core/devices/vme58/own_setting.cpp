@@ -51,7 +51,7 @@ Task<Result<>> OwnSetting::give_back(int axis, Priority priority) {
   }
   std::string text = selection_.addressed(axis, fmt::format("{}{}", letters_, borrowed.before));
   auto given = co_await commands_.transmit(std::move(text), priority);
-  if (!given && given.error().kind != FaultKind::controller) co_return given;  // must be tried again
+  if (!given && given.error().kind != FaultKind::controller) co_return given;  // the next round tries again
   at(axis).borrowed.reset();
   if (snapshot_.working) at(axis).put = Put{borrowed.before};
   // Shows the value as the axis' own before its turn to be read.
@@ -72,7 +72,7 @@ Task<Result<>> OwnSetting::give_all_back(Priority priority) {
 Task<Result<>> OwnSetting::give_back_behind_motions(Priority priority) {
   for (int i = 0; i < count() && !selection_.recording(); ++i) {
     const auto& borrowed = at(i).borrowed;
-    if (!borrowed || borrowed->waits_behind || !motions_.ours(i) || motions_.in_company(i)) continue;
+    if (!borrowed || borrowed->waits_behind || !motions_.ours(i) || motions_.moves_in_group(i)) continue;
     std::string text = selection_.addressed(i, fmt::format("{}{}", letters_, borrowed->before));
     auto given = co_await commands_.transmit(std::move(text), priority);
     if (!given) co_return given;

@@ -1,6 +1,6 @@
 #pragma once
-// A setting of each axis that waits in its queue like a motion: VL or AC. It belongs to the user; a motion
-// with a pace of its own borrows it.
+// A setting of each axis that waits in its queue like a motion: VL or AC. The value is the user's. A motion
+// with a pace of its own borrows the setting.
 #include <array>
 #include <optional>
 #include <string_view>
@@ -43,7 +43,7 @@ class OwnSetting {
 
   /// A text has set the setting. A value set while it is borrowed is the one given back.
   void note(const TextCommand& command);
-  /// Set-up has set it; `waits`: the board still shows another value.
+  /// The set-up has set the value; `waits`: the board still shows another one.
   void was_set(int axis, std::int64_t value);
   void was_put(int axis, std::int64_t value, bool waits);
   /// The queue of the axis is emptied: neither values waiting there nor those to be given back behind a
@@ -62,14 +62,14 @@ class OwnSetting {
   /// A setting changed for one motion and given back after it.
   struct Borrowed {
     std::int64_t before, for_now;
-    bool left_alone = false;  ///< a lost window or an emptied queue came between: the present value is right,
+    bool left_alone = false;  ///< the window was lost or the queue emptied since: the present value is right,
                               ///< unless it is `for_now`
     bool waits_behind = false;  ///< `before` is already queued behind the motion
   };
   /// A value that text or set-up has put into a queue, where it may still wait.
   struct Put {
     std::int64_t value;
-    bool carried_out = false;  ///< queues since seen empty: the next reading is right
+    bool carried_out = false;  ///< the queues were seen empty since: the next reading is right
   };
   struct Axis {
     std::optional<Borrowed> borrowed;

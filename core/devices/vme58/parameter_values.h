@@ -22,7 +22,7 @@ class ParameterValues {
   /// The parameter at this place in the catalog.
   [[nodiscard]] const Parameter& at(std::size_t place) const { return all_[place]; }
   [[nodiscard]] std::optional<std::int64_t> known(int axis, std::string_view letters) const;
-  /// Whether a gain may act on a standing error: one is unknown or not 0.
+  /// Whether a gain may act on a standing error: one of these gains is unknown or not 0.
   [[nodiscard]] bool drives(int axis) const;
   /// None: not all gains are known. KN may be unknown if KI is 0.
   [[nodiscard]] std::optional<motion::ServoGains> gains(int axis) const;

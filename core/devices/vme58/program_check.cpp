@@ -42,7 +42,7 @@ TokenKind kind_of(const TextCommand& command) {
   }
 }
 
-std::string where_it_is_taken(unsigned where, bool recording) {
+std::string mode_words(unsigned where, bool recording) {
   if (recording) return "not while a contour is recorded: CE or CK ends it";
   if (where == where::contour) return "only between CD and CE or CK";
   if (where == where::all) return "only after AA";
@@ -76,7 +76,7 @@ class Check {
   }
 
  private:
-  /// One for each axis, one for AA, one for AM.
+  /// A queue of the board: one for each axis, one for AA, one for AM.
   struct Queue {
     std::vector<std::pair<Op, std::size_t>> loops;  ///< open loops and where they begin
     bool prepared = false;                          ///< a move waits for GO
@@ -130,9 +130,10 @@ class Check {
         ++modes_missed_;
         const std::size_t begin = commands[i].begin;
         const bool all = (commands[i].fact->where & where::all) != 0;
-        error(commands[i], fmt::format("{} is taken {}. The text after it is read as if {} came before it.",
-                                       commands[i].fact->letters,
-                                       where_it_is_taken(commands[i].fact->where, false), all ? "AA" : "AM"));
+        error(commands[i],
+              fmt::format("{} is accepted {}. The text after it is read as if {} came before it.",
+                          commands[i].fact->letters, mode_words(commands[i].fact->where, false),
+                          all ? "AA" : "AM"));
         assumed_ = reported_ = true;
         read_as_if_ = std::string(begin, ' ') + plain_.substr(begin);
         context = Context{all ? where::all : where::tasks};
@@ -165,7 +166,7 @@ class Check {
       problem(command.flaw_begin, command.flaw_length, command.flaw, true);
     else if ((command.fact->where & modes_of(command)) == 0)
       error(command, fmt::format("{} is taken {}.", command.fact->letters,
-                                 where_it_is_taken(command.fact->where, command.context.recording)));
+                                 mode_words(command.fact->where, command.context.recording)));
     else
       look_closer(command);
     const bool bad = std::exchange(reported_, false) ||
@@ -203,7 +204,8 @@ class Check {
         break;
       case Op::CV: velocity_given_ = true; break;
       case Op::CX:
-        if (!recorded_) problem(command.begin, command.length, "No contour has been recorded before.", false);
+        if (!recorded_)
+          problem(command.begin, command.length, "No contour has been recorded before this CX.", false);
         if (!velocity_given_)
           problem(command.begin, command.length, "Put CV before CX: the contour has no speed yet.", false);
         break;
@@ -233,12 +235,11 @@ class Check {
     const std::optional<double> line = command.numbers.empty() ? std::nullopt : command.numbers[0];
     if (!line || *line < 0 || *line >= io_lines || (factory_outputs >> static_cast<int>(*line) & 1) != 0)
       return;
-    problem(
-        command.begin, command.length,
-        fmt::format("Line {:.0f} is an input unless jumpers on the board say otherwise: the board rejects "
-                    "this then.",
-                    std::trunc(*line)),
-        false);
+    problem(command.begin, command.length,
+            fmt::format("Line {:.0f} is an input unless a jumper on the board makes it an output. The board "
+                        "rejects this command for an input.",
+                        std::trunc(*line)),
+            false);
   }
 
   // Without user units the board cuts fractions off (decision M15).
@@ -254,8 +255,8 @@ class Check {
   void check_contour_places(const TextCommand& command) {
     const auto axes = static_cast<std::size_t>(std::popcount(command.context.contour_axes));
     if (command.numbers.size() > axes)
-      error(command,
-            fmt::format("This contour has {} axes, and here are {} numbers.", axes, command.numbers.size()));
+      error(command, fmt::format("This contour has {} axes, but {} numbers are given here.", axes,
+                                 command.numbers.size()));
   }
 
   void check_ranges(const TextCommand& command) {
@@ -300,7 +301,8 @@ class Check {
   std::string plain_;
   std::string read_as_if_;  ///< blanked up to the missing mode
   bool assumed_ = false, reported_ = false;
-  static constexpr int most_modes_missed = 20;  ///< each rereads the rest; more are reported one by one
+  static constexpr int most_modes_missed =
+      20;  ///< for each, the rest is read again; later ones are single reports
   int modes_missed_ = 0;
   std::vector<std::size_t> begins_;
   ProgramReport report_;

@@ -31,9 +31,9 @@ class CommandStrings final : public Language,
                                            const Catalog& catalog) const override {
     return write_sequence(sequence, catalog);
   }
-  [[nodiscard]] Result<SequenceText> write_what_can_be(const sequence::Sequence& sequence,
-                                                       const Catalog& catalog,
-                                                       std::vector<RefusedStep>& refused) const override {
+  [[nodiscard]] Result<SequenceText> write_with_gaps(const sequence::Sequence& sequence,
+                                                     const Catalog& catalog,
+                                                     std::vector<RefusedStep>& refused) const override {
     return write_sequence(sequence, catalog, &refused);
   }
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,

@@ -60,7 +60,7 @@ class Rehearsing {
         watch_(board_, numbers_of(text_)) {}
 
   Result<> set_bench() { return BenchSchedule::act(options_.bench, emulator_); }
-  Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
+  Result<> set_bench(const BenchFile& bench) { return bench_schedule_.begin(bench, emulator_); }
 
   Rehearsal run() {
     begin();
@@ -93,7 +93,7 @@ class Rehearsing {
   }
 
   void begin() {
-    hands_.count_from(now_);
+    bench_schedule_.count_from(now_);
     if (options_.from) begin_like(*options_.from);
     board_.record_to(&notes_);
     notes_.source = from_nowhere;
@@ -122,16 +122,16 @@ class Rehearsing {
   /// rehearsal.
   bool step() {
     std::optional<Instant> next = emulator_.next_event();
-    for (const auto& other : {hands_.next(), track_.next()})
+    for (const auto& other : {bench_schedule_.next(), track_.next()})
       if (other) next = std::min(next.value_or(*other), *other);
     const Instant end(last_);
     const bool some = next && *next <= end;
     result_.at_work(seconds(now_.time_since_epoch()), watch_.at_work());
     const Instant before = std::exchange(now_, some ? std::max(now_, *next) : std::max(now_, end));
     emulator_.advance_to(now_);
-    hands_.act_until(now_, emulator_);
+    bench_schedule_.act_until(now_, emulator_);
     track_.look(now_);
-    // Forces time on if the board has endless events at one moment.
+    // Advances the time if the board has endless events at one instant.
     const auto due = emulator_.next_event();
     if (some && now_ == before && due && *due <= now_) now_ += std::chrono::microseconds(1);
     return some;
@@ -194,7 +194,7 @@ class Rehearsing {
         return event(note, fmt::format("{} done at {}", axis_letters[ix(note.number)], note.position));
       case Note::What::limit:
         result_.limit_touched = true;
-        return event(note, fmt::format("{} met its {} limit switch", axis_letters[ix(note.number)],
+        return event(note, fmt::format("{} hit its {} limit switch", axis_letters[ix(note.number)],
                                        note.on ? "plus" : "minus"));
       case Note::What::looks:
         if (watch_.is_repeated(note)) return;
@@ -210,7 +210,7 @@ class Rehearsing {
         return event(note, result_.error);
       case Note::What::restarts:
         put_ = get_ = 0;  // both rings start again
-        return event(note, "the board starts afresh");
+        return event(note, "the board restarts");
     }
   }
   void event(const Note& note, std::string what) {
@@ -266,7 +266,7 @@ class Rehearsing {
   const Duration last_;
   std::vector<Line> text_;
   std::size_t next_ = 0;  ///< index in text_ of the next command to send
-  BenchSchedule hands_;
+  BenchSchedule bench_schedule_;
   TrackKeeper track_;
   ProgramWatch watch_;
   Notes notes_;

@@ -43,14 +43,14 @@ ProgramWatch::Unfinished ProgramWatch::of_queue(const CommandQueue& queue) const
     if (head->op() == Op::WS)
       return {now.source,
               fmt::format("{} goes on while line {} is low", loop, static_cast<int>(head->first())), false};
-    return {now.source, loop + " was going round", false};
+    return {now.source, loop + " had not ended", false};
   }
   if (now.op() == Op::SW)
     return {now.source,
-            fmt::format("{} waits until line {} is high, and nothing operates it", line_words(now.source),
+            fmt::format("{} waits until line {} is high, and nothing switches it", line_words(now.source),
                         static_cast<int>(now.first())),
             false};
-  return {now.source, line_words(now.source) + " was not done", false};
+  return {now.source, line_words(now.source) + " was not finished", false};
 }
 
 int ProgramWatch::at_work() const {
@@ -68,7 +68,7 @@ ProgramWatch::Unfinished ProgramWatch::unfinished() const {
   for (int a = 0; a < board_.variant().axes(); ++a)
     if (board_.motion().moving(a)) {
       const int by = sent_by_[ix(a)];
-      return {by, fmt::format("axis {} moves on, sent by {}", axis_letters[ix(a)], line_words(by)),
+      return {by, fmt::format("axis {} is still moving, started by {}", axis_letters[ix(a)], line_words(by)),
               !board_.motion().occupied(a)};
     }
   return {};

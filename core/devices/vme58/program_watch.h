@@ -15,7 +15,7 @@ class ProgramWatch {
   ProgramWatch(const Board& board, std::vector<int> line_of) : board_(board), line_of_(std::move(line_of)) {}
 
   void observe(const Note& note);
-  /// Whether a look at a line showed the same command the same level as its look before.
+  /// Whether a command read the same level of a line as it did the last time.
   [[nodiscard]] bool is_repeated(const Note& look);
   void stopped(Instant at, int source, std::string reason, int axis = -1, int direction = 0);
   [[nodiscard]] const std::vector<RehearsedStop>& stops() const { return stops_; }

@@ -19,7 +19,7 @@ Result<> Programs::load(std::string text) {
     if (!command.flaw.empty())
       return fail(FaultKind::refused,
                   fmt::format("Line {}: {}", line_holding(text, command.begin) + 1, command.flaw),
-                  "The program was not taken.", "Correct it and load it again.");
+                  "The program was not loaded.", "Correct it and load it again.");
   forget_rejection(snapshot_);
   text_ = std::move(text);
   snapshot_.slot_bytes_used[0] = static_cast<std::int16_t>(std::min<std::size_t>(text_.size(), 32767));
@@ -38,7 +38,7 @@ Task<Result<>> Programs::run() {
     co_return fail(FaultKind::refused, "The program is running already.", "Nothing was sent.");
   if (snapshot_.any_axis_moving())
     co_return fail(FaultKind::refused, "An axis is still moving.", "Nothing was sent.",
-                   "Wait until it ends, or stop it.");
+                   "Wait until the motion ends, or stop it.");
   auto own = co_await speeds_.give_all_back(Priority::intent);
   if (!own) co_return own;
   auto selected = co_await conversation_.select_again(Priority::intent);
@@ -70,7 +70,7 @@ Task<Result<>> Programs::feed() {
 Task<Result<>> Programs::end_rejected(std::string what) {
   auto stopped = co_await all_stop_.send("SA");
   if (!stopped && stopped.error().kind == FaultKind::stopped) {
-    readings_.put_back_command_error();  // for the next round
+    readings_.put_back_command_error();  // the next round reports it
     co_return stopped;
   }
   rejection_ = what + " The program ends there, and all axes were stopped.";

@@ -34,8 +34,8 @@ class Programs {
   /// moves.
   Task<Result<>> watch();
   void end(EndedBy ended_by);
-  /// Notes a stop in the user's own text: no more of the program is fed. ST empties one queue; the others go
-  /// on.
+  /// Notes a stop in the user's own text: the rest of the program is not sent. ST empties one queue; the
+  /// other queues continue.
   void note_stop(const TextCommand& command);
   /// A queued command was rejected; `words` report it and may be extended here.
   void queued_was_rejected(std::string& words);

@@ -31,7 +31,7 @@ Result<> Queues::take(const std::vector<std::string>& replies, bool were_empty) 
     const auto numbers = decode_numbers(replies[i]);
     if (!numbers)
       return fail(FaultKind::garbled,
-                  fmt::format("The board answered \"{}\" to RQ, which is not a valid answer.", replies[i]),
+                  fmt::format("The board answered \"{}\" to RQ, which is not a valid reply.", replies[i]),
                   "It is asked again.");
     const auto free = [](std::int64_t entries) { return entries >= queue_entries; };
     if (std::all_of(numbers->begin(), numbers->end(), free)) room.all_free |= 1u << i;

@@ -16,7 +16,8 @@ class Queues {
   Queues(const Catalog& catalog, const Selection& selection, Conversation& conversation, Snapshot& snapshot)
       : catalog_(catalog), selection_(selection), conversation_(conversation), snapshot_(snapshot) {}
 
-  /// Reads the queues. A full ring or a WQ holds questions back: nothing is known then, and that is no fault.
+  /// Reads the queues. A full ring or a WQ holds questions back: the queues are then unknown, without a
+  /// fault.
   Task<Result<>> read(Priority priority);
   /// All queues were empty when last read.
   [[nodiscard]] bool empty() const { return empty_; }

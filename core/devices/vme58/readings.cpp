@@ -12,7 +12,7 @@ namespace {
 
 constexpr Duration copy_look = std::chrono::microseconds(300);
 constexpr Duration update_patience = Millis(50);
-constexpr int live_values = 3;  // encoder, position, velocity stand first
+constexpr int live_values = 3;  // encoder, position, velocity come first
 
 }  // namespace
 
@@ -97,7 +97,8 @@ Task<Result<>> Readings::read_axes(Priority priority, Copy copy) {
     cycles.push_back(BusCycle::read(1, reg::control));
     auto asked = co_await wire_.run(cycles, priority);
     if (!asked) co_return asked;
-    if (cycles.back().value == 0xFF) co_return unanswered();  // so the request was not received
+    if (cycles.back().value == 0xFF)
+      co_return unanswered();  // the bus is silent, so the board has not received the request
   }
   const Instant give_up = wire_.now() + update_patience;
   const int whole = whole_.next(axes());

@@ -63,7 +63,7 @@ class Readings {
   [[nodiscard]] std::int64_t value(int axis, AxisValue v) const;
   /// Sets a value known before its turn to be read.
   void know(int axis, AxisValue v, std::int64_t value);
-  /// By its velocity; false until that has been read since the connection.
+  /// Whether the axis moves, by its velocity; false until that has been read since the connection.
   [[nodiscard]] bool moving(int axis) const;
   /// Whether the axes had been read since the connection, before the reading now being reported.
   [[nodiscard]] bool seen() const { return seen_; }

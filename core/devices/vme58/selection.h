@@ -18,7 +18,7 @@ class Selection {
  public:
   explicit Selection(const Catalog& catalog) : catalog_(catalog) {}
 
-  /// As the user's text has left it.
+  /// The selection as the user's text has left it.
   [[nodiscard]] const Context& context() const { return context_; }
   [[nodiscard]] std::string selector() const { return context_.selector(); }
   /// Between CD and CE: text put now becomes part of a contour.

@@ -11,9 +11,9 @@ namespace hw::vme58 {
 
 [[nodiscard]] Operations operations_of(std::string_view text);
 
-/// What a user's commands may change for the AA commands that follow.
+/// The changes by a user's commands that affect the AA commands after them.
 struct TextEffects {
-  bool addresses = false;  ///< others than all axes
+  bool addresses = false;  ///< it addresses other axes than all
   bool moves = false, speeds = false, records = false;
 };
 [[nodiscard]] TextEffects effects_of(std::string_view text);

@@ -105,10 +105,10 @@ class BlockReader {
       case Op::BH: return put(seq::Output{static_cast<int>(*c.numbers[0]), c.is(Op::BL), 0}, i, i + 1, list);
       case Op::LS:
       case Op::WH: return read_loop(i, list);
-      case Op::WS: return leave("no loop of blocks asks an input", i, end_of_[i] + 1, list);
+      case Op::WS: return leave("no loop of blocks tests an input", i, end_of_[i] + 1, list);
       case Op::CV:
       case Op::CD: return read_recording(i, i, list);
-      default: return leave("no block does this", i, i + 1, list);
+      default: return leave(why::no_block, i, i + 1, list);
     }
   }
 
@@ -130,12 +130,11 @@ class BlockReader {
 
   std::size_t read_move(std::size_t i, ReadSteps& list) {
     const TextCommand& c = commands_[i];
-    if (!is(i + 1, Op::GO)) return leave("a move that does not go at once", i, i + 1, list);
+    if (!is(i + 1, Op::GO)) return leave("a move that does not start at once", i, i + 1, list);
     const bool line = c.is(Op::MT) || c.is(Op::ML);
     const auto numbers = numbers_of(c);
     if (!numbers || line != (c.given() > 1))
-      return leave(numbers ? "axes that move independently" : "an axis that the blocks do not have", i, i + 2,
-                   list);
+      return leave(numbers ? "axes that move independently" : why::no_such_axis, i, i + 2, list);
     seq::Move move;
     move.relative = c.is(Op::MR) || c.is(Op::ML);
     for (std::size_t a = 0; a < out_.axes.size(); ++a)
@@ -169,7 +168,7 @@ class BlockReader {
     return put(seq::Output{first_auxiliary + commands_[i + 3].context.axis, is(i + 3, Op::AN), 0}, i, i + 5,
                list);
   }
-  /// The index after "WA WQ AX MP MV... SP WQ AA WA"; 0: something else stands there.
+  /// The index after "WA WQ AX MP MV... SP WQ AA WA"; 0: the commands are others.
   [[nodiscard]] std::size_t end_of_stairs(std::size_t i) const {
     std::size_t at = i + 1;
     const auto next = [&](Op op) { return is(at, op) && commands_[at].flaw.empty() && ++at; };
@@ -183,7 +182,7 @@ class BlockReader {
   std::size_t read_stairs(std::size_t from, std::size_t end, ReadSteps& list) {
     constexpr std::size_t head = 3, tail = 4;  // before the first MV, from SP on
     const int place = out_.place_of(catalog_, commands_[from + head].context.axis);
-    if (place < 0) return leave("an axis that the blocks do not have", from, end, list);
+    if (place < 0) return leave(why::no_such_axis, from, end, list);
     seq::SpeedStairs s;
     s.axis = place;
     for (std::size_t i = from + head + 1; i < end - tail; ++i)
@@ -191,7 +190,7 @@ class BlockReader {
           {units(ix(place), *commands_[i].numbers[0]), units(ix(place), *commands_[i].numbers[1])});
     s.stop_at = units(ix(place), *commands_[end - tail].numbers[0]);
     if (seq::direction_of(s) != (is(from + head, Op::MP) ? Sign::plus : Sign::minus))
-      return leave("its stairs go the other way", from, end, list);
+      return leave("its staircase runs the other way", from, end, list);
     return put(std::move(s), from, end, list);
   }
   std::size_t read_recording(std::size_t from, std::size_t i, ReadSteps& list) {
@@ -205,7 +204,7 @@ class BlockReader {
   }
   std::size_t read_loop(std::size_t i, ReadSteps& list) {
     const std::size_t end = end_of_[i];
-    if (depth_ + 2 > seq::deepest_loop) return leave("too deep for blocks", i, end + 1, list);
+    if (depth_ + 2 > seq::deepest_loop) return leave(why::too_deep, i, end + 1, list);
     seq::Repeat repeat;
     repeat.times = is(i, Op::LS) ? static_cast<int>(*commands_[i].numbers[0]) : 0;
     const Stretch head = stretch(i, i + 1), last = stretch(end, end + 1);
@@ -239,7 +238,7 @@ class BlockReader {
     if (alike && speed_of_all(speeds_given, speed.speeds)) return put(speed, i, behind, list);
     given_ = {}, ramp_ms_ = 0;
     while (is(behind, Op::VL) || is(behind, Op::VB) || is(behind, Op::AC)) ++behind;
-    return leave("speeds that differ between axes", i, behind, list);
+    return leave(why::unlike_speeds, i, behind, list);
   }
   bool speed_of_all(const std::array<bool, 3>& speeds_given, seq::Speeds& speeds) {
     const double high = units(0, given_[0].high), low = units(0, given_[0].low);
@@ -271,7 +270,7 @@ class BlockReader {
   };
   static constexpr std::string_view why_not_single_ =
       "a single axis (AX, AY ...) has a queue of its own, beside the one of all axes (AA) that blocks use";
-  const std::string plain_;  ///< TextCommand::text is of it
+  const std::string plain_;  ///< TextCommand::text points into it
   const Catalog& catalog_;
   std::vector<TextCommand> commands_;
   std::vector<std::size_t> end_of_;  ///< end of the loop with this head
@@ -288,8 +287,7 @@ Result<SequenceRead> read_sequence(std::string_view text, const seq::Sequence& f
                                    const Catalog& catalog) {
   for (const Problem& p : check_program(text).problems)
     if (p.error)
-      return fail(FaultKind::text, fmt::format("Line {}: {}", p.line + 1, p.sentence),
-                  "The blocks are as they were.");
+      return fail(FaultKind::text, fmt::format("Line {}: {}", p.line + 1, p.sentence), blocks_unchanged);
   ReadingLanguage language;
   language.write = [&](const seq::Sequence& made) { return write_sequence(made, catalog); };
   language.operations = operations_of;

@@ -43,10 +43,9 @@ class Writer {
   /// A single arc: a contour of one piece.
   Result<> write(const seq::Arc& a) {
     const auto [right, up] = a.plane;
-    if (!draft_.has(a.plane)) return draft_.refuse("an arc needs two axes.");
+    if (!draft_.has(a.plane)) return draft_.refuse_single_axis("an arc");
     const auto x = draft_.at(right), y = draft_.at(up);
-    if (!x || !y)
-      return draft_.refuse("put an absolute move of both axes before it: its start is not known.");
+    if (!x || !y) return draft_.refuse_unknown_start();
     seq::Contour one;
     one.plane = a.plane;
     one.x = static_cast<double>(*x) / draft_.sequence.axes[ix(right)].per_unit;
@@ -75,7 +74,8 @@ class Writer {
   }
   Result<> write(const seq::WaitMotion&) { return draft_.line("WA"), Result<>(); }
   Result<> write(const seq::Delay& d) {
-    if (!(d.ms <= 4294967295.0)) return draft_.refuse("a delay is at most 4294967295 ms.");
+    if (!(d.ms <= static_cast<double>(wait_max_ms)))
+      return draft_.refuse(fmt::format("a delay is at most {} ms.", wait_max_ms));
     draft_.line(fmt::format("WT{}", std::llround(d.ms)));
     return {};
   }
@@ -179,7 +179,7 @@ Result<> Writer::write(const seq::Move& m) {
     const auto at = draft_.at(a);
     draft_.stands(a, !m.relative ? std::optional(*steps) : at ? std::optional(*at + *steps) : at);
   }
-  if (axes.empty()) return draft_.refuse("it moves no axis.");
+  if (axes.empty()) return draft_.refuse_no_axis();
   if (auto done = write_speeds(axes, m.own); !done) return done;
   const bool line = axes.size() > 1;
   draft_.line(list(m.relative ? (line ? "ML" : "MR") : line ? "MT" : "MA", to) + " GO");
@@ -200,9 +200,7 @@ Result<> Writer::write(const seq::Output& o) {
   }
   std::size_t general = 0;
   while (general < outputs.size() && draft_.catalog.output_number(general) < first_auxiliary) ++general;
-  if (o.value >> general != 0)
-    return draft_.refuse(
-        fmt::format("it has {} general outputs; {} is too much for them.", general, o.value));
+  if (o.value >> general != 0) return draft_.refuse_outputs(general, o.value, "general outputs");
   for (std::size_t i = 0; i < general; ++i)
     if (auto written = put(i, (o.value >> i & 1) != 0); !written) return written;
   return {};
@@ -223,7 +221,7 @@ Result<> Writer::write(const seq::Repeat& l) {
   if (l.times == 1) return write_steps(*this, draft_, l.steps);
   if (depth_ >= deepest_levels)
     return draft_.refuse(fmt::format("loops of a VME58 nest {} deep at most.", deepest_levels));
-  draft_.forget_what_moves(l.steps);
+  draft_.forget_moved_axes(l.steps);
   if (sets_speeds(l.steps))
     for (WrittenSpeeds& of_axis : written_) of_axis.begin_repeated();
   draft_.line(l.times == 0 ? "WH" : fmt::format("LS{}", l.times));
@@ -238,7 +236,7 @@ Result<> Writer::write(const seq::Repeat& l) {
 // axes stand: WA keeps the queue from running empty until then, and WQ keeps the board from reading on.
 Result<> Writer::write(const seq::Contour& c) {
   if (depth_ > 0)
-    return draft_.refuse("a VME58 records a contour as soon as it reads it, so it cannot stand in a loop.");
+    return draft_.refuse("a VME58 records a contour as soon as it reads it, so it cannot be inside a loop.");
   if (c.lead_in == 0 || !c.ends_ramped)
     draft_.remark(fmt::format("it {} at its full speed, without a ramp.", c.lead_in > 0 ? "ends"
                                                                           : c.ends_ramped
@@ -259,7 +257,7 @@ Result<> Writer::write(const seq::Contour& c) {
 // into the queue of their axis: commands before and after them wait as for an auxiliary output.
 Result<> Writer::write(const seq::SpeedStairs& s) {
   if (depth_ > 0)
-    return draft_.refuse("speed stairs are in the queue of their axis, which has no loop of all axes.");
+    return draft_.refuse("a speed staircase is in the queue of its axis, which has no loop of all axes.");
   const auto stairs = draft_.stairs(s);
   if (!stairs) return fail(stairs.error());
   draft_.lines("WA\nWQ");

@@ -97,9 +97,10 @@ Task<Result<>> ServoDrive::set_power(intent::SetPower request) {
     if (request.axis >= 0 && request.axis != i) continue;
     if (!catalog_.axes[ix(i)].switchable) {
       if (request.axis < 0) continue;
-      co_return fail(FaultKind::refused,
-                     fmt::format("Axis {} is no servo axis: the board does not switch its motor.", name(i)),
-                     "Nothing was sent.");
+      co_return fail(
+          FaultKind::refused,
+          fmt::format("Axis {} is not a servo axis: the board does not switch its motor.", name(i)),
+          "Nothing was sent.");
     }
     auto switched = co_await switch_loop(i, request.on, request.closing);
     if (!switched) co_return switched;
@@ -130,13 +131,13 @@ Task<Result<>> ServoDrive::may_drive(const Parameter& parameter, std::int64_t va
 Task<Result<>> ServoDrive::take_place(int axis) {
   if (motions_.moving(axis))
     co_return fail(FaultKind::refused, fmt::format("Axis {} is still moving.", name(axis)),
-                   "Nothing was sent.", "Wait until it ends, or stop it.");
+                   "Nothing was sent.", "Wait until the motion ends, or stop it.");
   const bool closed = loops_.closed(axis) != false;
   const std::int64_t here = snapshot_.axes[axis].encoder.value;
   std::string text =
       selection_.addressed(axis, closed ? fmt::format("HF LP{} HN", here) : fmt::format("LP{}", here));
   motions_.counts(axis);
-  if (motions_.ours(axis)) motions_.end(axis, EndedBy::stop);  // its target is no longer wanted
+  if (motions_.ours(axis)) motions_.end(axis, EndedBy::stop);  // its target has been given up
   auto sent = co_await commands_.transmit(std::move(text), Priority::intent);
   if (!sent) next_.asks_loops();
   if (!sent) co_return sent;
@@ -148,7 +149,7 @@ Task<Result<>> ServoDrive::take_place(int axis) {
       FaultKind::controller,
       fmt::format("The position of {} was to become its command, but its command is still {} counts away.",
                   name(axis), std::abs(snapshot_.axes[axis].following_error().value)),
-      "Nothing else was sent.", "Check whether it moves.");
+      "Nothing else was sent.", "Check whether the axis moves.");
 }
 
 }  // namespace hw::vme58

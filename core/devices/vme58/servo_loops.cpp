@@ -42,7 +42,7 @@ void ServoLoops::look(int i, Instant when, bool turns) {
   axis.far_off = off > std::max(large_error, band);
   know(i, servo.closed);
   if (axis.loop == Loop::in_place && axis.ended_by == EndedBy::not_in_place)
-    axis.ended_by = EndedBy::target;  // it came late
+    axis.ended_by = EndedBy::target;  // the axis arrived late
 }
 
 void ServoLoops::goes_to_place(int axis, bool it_does) {

@@ -31,7 +31,7 @@ class ServoLoops {
   // ---- places
   /// Takes a reading of command and encoder, which are already shown. `turns`: the command is moving.
   void look(int axis, Instant at, bool turns);
-  /// Whether the motion has a target: no jog, and not cut short by a stop.
+  /// Notes whether the motion has a target: it is no jog, and no stop has cut it short.
   void goes_to_place(int axis, bool it_does);
   /// The axis follows something other than its command.
   void leaves_its_place(int axis) { at(axis).goes_to_place = false; }
@@ -43,10 +43,10 @@ class ServoLoops {
   [[nodiscard]] bool settles(int axis) const;
   /// The axis settles and its command has ended: it may be sent on.
   [[nodiscard]] bool only_settles(int axis) const { return settles(axis) && at(axis).place.settles(); }
-  /// Corrects an apparent arrival if the encoder is elsewhere, and warns. Reported once.
+  /// Corrects an apparent arrival if the encoder is elsewhere, and warns once.
   EndedBy judged(int axis, EndedBy ended_by);
 
-  /// Raw text is sent as typed; this warns of its effect. True: it may drive its axis there.
+  /// Raw text is sent as typed; this warns of its effect. True: the text may drive its axis to its command.
   bool warn_of_closing(const TextCommand& command);
   void forget();
 

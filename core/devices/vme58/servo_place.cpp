@@ -7,7 +7,7 @@ namespace hw::vme58 {
 void ServoPlace::begin(Instant at) {
   place_ = Loop::following;
   due_since_ = at;
-  within_since_.reset();  // a place only passed does not count
+  within_since_.reset();  // an axis that only passes the place does not count as arrived
 }
 
 void ServoPlace::look(Instant at, bool turns, std::int64_t error, std::int64_t band) {

@@ -13,9 +13,9 @@ inline constexpr std::int64_t usual_deadband = 10;
 
 class ServoPlace {
  public:
-  static constexpr Duration to_be_sure = Millis(100);  ///< in place after this time in the band
+  static constexpr Duration to_be_sure = Millis(100);  ///< an axis is in place after this time in the band
   static constexpr Duration patience =
-      std::chrono::seconds(2);  ///< off its place after this time without that
+      std::chrono::seconds(2);  ///< an axis is off its place after this time without having been in place
 
   /// Takes a reading. `turns`: the command is moving. An axis at rest when first seen counts as having stood
   /// there for long.
@@ -26,7 +26,7 @@ class ServoPlace {
   [[nodiscard]] Loop place() const { return place_; }
   /// It is not yet decided whether the axis arrives.
   [[nodiscard]] bool undecided() const { return place_ == Loop::following; }
-  /// Undecided, and the command has ended.
+  /// It is undecided, and the command has ended.
   [[nodiscard]] bool settles() const { return undecided() && !turns_; }
 
  private:

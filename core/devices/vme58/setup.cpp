@@ -29,11 +29,11 @@ Task<Result<>> Setup::set(intent::SetParam request) {
   const bool goes_there = request.closing == intent::Closing::drive && parameter.fact->drives;
   if (goes_there && snapshot_.axes[parameter.axis].far_off) motions_.begins_to_settle(parameter.axis);
   if (!parameter.fact->shown) co_return Result<>();
-  co_return co_await look_what_came(*place, request.value);
+  co_return co_await check_shown_value(*place, request.value);
 }
 
 /// AC, VL and VB wait in the axis' queue: the board may show the new value later.
-Task<Result<>> Setup::look_what_came(std::size_t place, std::int64_t wanted) {
+Task<Result<>> Setup::check_shown_value(std::size_t place, std::int64_t wanted) {
   const Parameter& parameter = values_.at(place);
   OwnSetting* const own = speeds_.shown_at(parameter.fact->shown);
   if (own) own->was_set(parameter.axis, wanted);
@@ -50,9 +50,9 @@ Task<Result<>> Setup::look_what_came(std::size_t place, std::int64_t wanted) {
     co_return Result<>();
   }
   co_return fail(FaultKind::controller,
-                 fmt::format("{} was set to {}, but the board shows {}.", info.mnemonic,
+                 fmt::format("{} was set to {}, but the board reports {}.", info.mnemonic,
                              encode_number(wanted, info.decimals), encode_number(state.value, info.decimals)),
-                 "It was sent once.", "Its queue may be waiting for something.");
+                 "It was sent once.", "The queue of its axis may be waiting.");
 }
 
 }  // namespace hw::vme58

@@ -24,7 +24,7 @@ class Setup {
   Task<Result<>> set(intent::SetParam request);
 
  private:
-  Task<Result<>> look_what_came(std::size_t place, std::int64_t wanted);
+  Task<Result<>> check_shown_value(std::size_t place, std::int64_t wanted);
 
   Wire& wire_;
   Readings& readings_;

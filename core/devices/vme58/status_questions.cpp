@@ -34,14 +34,14 @@ Task<Result<>> StatusQuestions::ask_in_turn() {
     if (!worked_off) co_return fail(worked_off.error());
     if (*worked_off && std::exchange(snapshot_.working, false)) {
       next_.asks_flags();
-      motions_.all_worked_off();
+      motions_.queues_emptied();
     }
   }
   if (!may_ask && !turning) snapshot_.working = false;  // the queues cannot be read
   co_return co_await speeds_.give_all_back(Priority::poll);
 }
 
-// An axis may be working at commands of other hosts; a queue that is not empty is read until it is.
+// An axis may carry out commands of other hosts; a queue that is not empty is read until it is empty.
 bool StatusQuestions::wants_queues() {
   bool matters = snapshot_.working || watches(queue_group) || snapshot_.program.run == RunState::running;
   bool at_once = next_.takes_queues(snapshot_.any_axis_moving());

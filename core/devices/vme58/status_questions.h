@@ -26,7 +26,7 @@ class StatusQuestions {
         catalog_(catalog),
         snapshot_(snapshot) {}
 
-  /// intent::Watch.
+  /// Readout groups that the user watches (intent::Watch).
   void watch(std::uint32_t groups) { watched_ = groups; }
   [[nodiscard]] bool watches(int group) const { return bit(watched_, group); }
   void begins() { ++number_; }

@@ -9,7 +9,7 @@
 namespace hw::vme58 {
 namespace {
 
-constexpr Duration effect_time = Millis(60);             // so that a stop in vain is seen within 100 ms
+constexpr Duration effect_time = Millis(60);  // so that a stop without effect is seen within 100 ms
 constexpr Duration kill_time = std::chrono::seconds(2);  // KL is repeated for this long
 constexpr double longest_shape = 3;  // a PN10 ramp relative to a straight one, and a margin
 constexpr Duration ramp_margin = std::chrono::seconds(1);

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/driver_faults.h"
 #include "core/devices/vme58/moves.h"
 #include "core/devices/vme58/text_meaning.h"
 
@@ -17,9 +18,7 @@ constexpr Duration ring_patience = Millis(5);  // a text cut short by the stop m
 
 Task<Result<>> Stops::send(StopOrder order) {
   using What = StopOrder::What;
-  if (!wire_.is_open())
-    co_return fail(FaultKind::lost, "Stop cannot reach the board: there is no connection.",
-                   "Nothing was sent.", "Switch the power of the drives off.");
+  if (!wire_.is_open()) co_return stop_cannot_reach("board", "Switch the power of the drives off.");
   forget_rejection(snapshot_);
   if (order.what == What::words) co_return co_await stop_by_text(std::move(order.words));
   co_return co_await stop_motion(order.axis, order.at_once, order.what == What::jog);
@@ -34,7 +33,7 @@ bool Stops::stops_alone(int axis) const {
 // A jog stop concerns only the jogging axis: other axes, and commands waiting for this one, continue.
 Task<Result<>> Stops::stop_motion(int axis, bool at_once, bool jog) {
   const bool recorded = selection_.recording(), known = conversation_.is_known();
-  const bool one = axis >= 0 && !at_once && !widened_ && !motions_.in_company(axis) && !recorded;
+  const bool one = axis >= 0 && !at_once && !widened_ && !motions_.moves_in_group(axis) && !recorded;
   const bool alone = one && known && (jog || stops_alone(axis));
   if (one && !alone)
     wire_.report(
@@ -57,12 +56,12 @@ Task<Result<>> Stops::stop_motion(int axis, bool at_once, bool jog) {
   const std::string_view word = at_once ? "KL" : "SA";
   auto stopped = co_await all_stop_.send(word);
   if (stopped && recorded)
-    (void)co_await conversation_.select_again(Priority::stop);  // else with the next text
+    (void)co_await conversation_.select_again(Priority::stop);  // on failure, the next text selects it
   co_return stopped;
 }
 
-/// Sent like the console's own stops, with exactly the meaning of its words. Its axis selection is noted now;
-/// the board gets it with the next text.
+/// Sent like the console's own stops, with exactly the meaning of its words. The axis that it selects is
+/// noted now, and sent to the board with the next text.
 Task<Result<>> Stops::stop_by_text(std::string text) {
   const bool recorded = selection_.recording();
   Context context = selection_.context();
@@ -115,7 +114,7 @@ Task<Result<bool>> Stops::stop_axis(std::string selector) {
   }
   const bool group = selector == "AA" || selector == "AM";
   wire_.report(Notice::Kind::warning,
-               fmt::format("The board takes no command for {} alone now, so all axes were stopped.",
+               fmt::format("The board accepts no command for {} alone now, so all axes were stopped.",
                            group ? "the axes of " + selector : "axis " + selector.substr(1)));
   stopping(-1, false);
   auto stopped = co_await all_stop_.send("SA");
@@ -139,8 +138,8 @@ void Stops::stopping(int axis, bool at_once) {
 
 // ---- effect
 
-/// A stop is in vain while none of its axes slows down. An axis slowed briefly by its own motion soon regains
-/// its speed, and an axis of a straight-line move may show its share of the ramp late.
+/// A stop has had no effect while none of its axes slows down. An axis slowed briefly by its own motion soon
+/// regains its speed, and an axis of a straight-line move may show its share of the ramp late.
 StopProgress Stops::progress(const StopOrder& order) {
   const bool words = order.what == StopOrder::What::words;
   if (words && !order.stops_all() && !widened_) return StopProgress::stands();  // sent through the ring
@@ -149,12 +148,12 @@ StopProgress Stops::progress(const StopOrder& order) {
   StopEffect::Seen seen = effect_.look(axis, order.at_once);
   const bool jog = order.what == StopOrder::What::jog && axis >= 0;
   if (seen.turns && !seen.slows && jog && !stops_alone(axis)) {
-    motions_.is_anothers(axis);
+    motions_.moved_by_others(axis);
     seen.turns = false;
   }
   if (!seen.turns && axis < 0) {
     const AllStop::Behind behind = all_stop_.behind();
-    if (behind == AllStop::Behind::waits) return in_vain(axis);
+    if (behind == AllStop::Behind::waits) return without_effect(axis);
     if (behind == AllStop::Behind::not_known) return StopProgress::wait();
   }
   if (!seen.turns && !order.confirmed) return StopProgress::again();  // some motions show nothing
@@ -166,12 +165,12 @@ StopProgress Stops::progress(const StopOrder& order) {
                                       "Switch the power of the drives off."));
   if (seen.slows) return StopProgress::wait();
   if (seen.overdue) return StopProgress::at_once();
-  return in_vain(axis);
+  return without_effect(axis);
 }
 
-StopProgress Stops::in_vain(int axis) {
+StopProgress Stops::without_effect(int axis) {
   if (axis < 0) {
-    all_stop_.in_vain();
+    all_stop_.without_effect();
     return StopProgress::again();
   }
   widened_ = true;
@@ -182,7 +181,7 @@ StopProgress Stops::in_vain(int axis) {
 
 void Stops::stands(int axis) {
   if (axis < 0) widened_ = false;
-  readings_.forget_command_error();  // of partly withdrawn text
+  readings_.forget_command_error();  // caused by text withdrawn in part
   effect_.forget(axis);
   motions_.stands(axis);
 }

@@ -40,7 +40,7 @@ class Stops {
   [[nodiscard]] bool stops_alone(int axis) const;
   void stopping(int axis, bool at_once);
   void stands(int axis);
-  StopProgress in_vain(int axis);
+  StopProgress without_effect(int axis);
   [[nodiscard]] const std::string& name(int axis) const {
     return catalog_.axes[static_cast<std::size_t>(axis)].name;
   }
@@ -58,7 +58,7 @@ class Stops {
   NextRound& next_;
   const Catalog& catalog_;
   Snapshot& snapshot_;
-  bool widened_ = false;  ///< a stop of one axis became one of all, not yet at rest
+  bool widened_ = false;  ///< a stop of one axis became a stop of all, and an axis still moves
 };
 
 }  // namespace hw::vme58

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/index.h"
+#include "core/base/rounded_steps.h"
 #include "core/device/sequence_travel.h"
 #include "core/devices/vme58/text_meaning.h"
 #include "core/sequence/arc_shape.h"
@@ -61,11 +62,6 @@ void PreparedMoves::forget(unsigned axes, bool groups) {
 }
 
 namespace {
-
-Steps whole(double place) {
-  constexpr double beyond_all = 1e15;
-  return Steps(std::llround(std::clamp(place, -beyond_all, beyond_all)));
-}
 
 class Walk {
  public:
@@ -152,7 +148,7 @@ class Walk {
   void go_to(std::size_t axis, double place) {
     if (axis >= axes_ || !std::isfinite(place)) return;
     at_[axis] = place;
-    put(axis, whole(place));
+    put(axis, rounded_steps(place));
   }
   void go(const Context& context) {
     const PreparedMoves::Moves moves = prepared_.of(context);
@@ -164,7 +160,7 @@ class Walk {
         go_to(axis, *at_[axis] + moves[axis]->counts);
     }
   }
-  /// Within the text only time or a stop ends it.
+  /// A jog: within the text, only time or a stop ends it.
   void jog(const TextCommand& command) {
     each_number(command, [&](std::size_t axis, double velocity) {
       const double way = units_[axis] < 0 ? -velocity : velocity;
@@ -189,7 +185,7 @@ class Walk {
     way_[axis] = way;
     if (way != 0) jogs_.emplace_back(axis, endless(way));
   }
-  /// It may cut short every motion begun before.
+  /// A stop: it may cut short every motion begun before it.
   void stop() {
     places_.clear(), jogs_.clear();
     at_ = {};
@@ -207,7 +203,7 @@ class Walk {
 
   // ---- loops
 
-  /// WH and WS repeat until CW or an input: two passes show what moves on.
+  /// WH and WS repeat until CW or an input: two passes show which axes move further with each pass.
   void begin_loop(const TextCommand& command, std::size_t next) {
     const Op kind = command.fact->op;
     loops_.push_back({kind, next, kind == Op::LS ? command.numbers[0].value_or(1) : 2, at_});
@@ -229,13 +225,13 @@ class Walk {
       const double by = loop.grew_by[axis];
       if (by == 0) continue;
       if (loop.kind == Op::LS)
-        put(axis, whole(*loop.before[axis] + by * loop.passes));
+        put(axis, rounded_steps(*loop.before[axis] + by * loop.passes));
       else
         put(axis, endless(by));
       at_[axis].reset();
     }
   }
-  /// The commands have run out inside a loop: its other passes do as the last one did.
+  /// The commands have run out inside a loop: the other passes move the axes as the last pass did.
   void go_on() {
     const auto outermost =
         std::find_if(loops_.begin(), loops_.end(), [](const Loop& loop) { return loop.passed; });
@@ -262,9 +258,10 @@ class Walk {
   void reach(std::size_t axis, double place) {
     if (!std::isfinite(place)) return;
     contour_->end[axis] = place;
-    if (axis < axes_) contour_->reaches.push_back({AxisId{static_cast<std::uint8_t>(axis)}, whole(place)});
+    if (axis < axes_)
+      contour_->reaches.push_back({AxisId{static_cast<std::uint8_t>(axis)}, rounded_steps(place)});
   }
-  /// Its numbers belong to the axes of the contour, in their order.
+  /// Records a command of a contour: its numbers belong to the axes of the contour, in their order.
   void record(const TextCommand& command) {
     if (!contour_) return;
     std::vector<std::size_t> axes;
@@ -308,7 +305,7 @@ class Walk {
   std::vector<Loop> loops_;
   std::optional<Contour> contour_;
   std::array<double, most_axes> way_{};  ///< of MV; 0: not known
-  int left_ = 20'000;                    ///< commands of the whole text
+  int left_ = most_goal_commands;
 };
 
 }  // namespace

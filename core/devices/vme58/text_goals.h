@@ -12,8 +12,8 @@
 
 namespace hw::vme58 {
 
-/// The moves that MA, MR, MT and ML have prepared for the next GO of their queue, as far as texts have. GO
-/// takes them (decision M51).
+/// The moves that MA, MR, MT and ML in texts have prepared for the next GO of their queue. GO takes them
+/// (decision M51).
 class PreparedMoves {
  public:
   struct Move {
@@ -25,10 +25,10 @@ class PreparedMoves {
   void note(const TextCommand& command, const UserUnits& units);
   /// The board may have carried out the command, or not.
   void doubt(const TextCommand& command);
-  /// Those of the queue that `context` addresses.
+  /// The moves of the queue that `context` addresses.
   [[nodiscard]] const Moves& of(const Context& context) const { return queues_[queue_of(context)]; }
   void forget() { queues_ = {}; }
-  /// Those of the axes' own queues, bit per axis, and those of AA and AM.
+  /// Forgets the moves of the axes' own queues, bit per axis, and those of AA and AM.
   void forget(unsigned axes, bool groups);
 
  private:

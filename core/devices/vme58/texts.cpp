@@ -78,7 +78,8 @@ Task<Result<>> Texts::put(const TextCommand& command, std::string word) {
   if (!written && conversation_.end() == end_before) co_return written;
   if (!written && written.error().kind == FaultKind::stopped) co_return cut_short(command, written.error());
   if (!written) {
-    if (selects(command)) note_sent(command);  // it acts later from the ring, on texts sent after it too
+    if (selects(command))
+      note_sent(command);  // it takes effect later, from the ring, also for texts sent after it
     co_return written;
   }
   auto accepted = co_await accepts(command);
@@ -88,7 +89,7 @@ Task<Result<>> Texts::put(const TextCommand& command, std::string word) {
   co_return accepted;
 }
 
-/// A stop came while the command was under way: it may be taken back or carried out.
+/// A stop came while the command was under way: the command was taken back or carried out.
 Result<> Texts::cut_short(const TextCommand& command, Fault why) {
   effects_.note(command);
   if (selects(command)) selection_.lose();
@@ -112,8 +113,8 @@ Task<Result<>> Texts::accepts(const TextCommand& command) {
   co_return commands_.rejected(command.text);
 }
 
-/// Between CD and CE all text becomes part of the contour: the user's text in a program's contour, and the
-/// program's in the user's.
+/// Refuses the text while a contour is recorded (CD to CE), by the user or by a program: it would become part
+/// of the contour.
 Result<> Texts::may_send_while_feeding(const std::vector<TextCommand>& commands) const {
   const auto stops = [](const TextCommand& command) {
     return command.fact && stops_motion(command.fact->op);
@@ -143,7 +144,8 @@ void Texts::note_sent(const TextCommand& command) {
   if (selects(command)) feed_.user_selects();
   const bool recorded = selection_.recording();
   selection_.observe(command);
-  if (recorded && !selection_.recording()) next_.awaits_queues();  // questions were not possible meanwhile
+  if (recorded && !selection_.recording())
+    next_.awaits_queues();  // no question was possible during the recording
   effects_.note(command);
 }
 

@@ -30,7 +30,7 @@ class Texts {
 
   /// Returns the replies to its queries, one per line.
   Task<Result<std::string>> send(std::string text, Duration patience);
-  /// Moves that texts have prepared, and their GO has yet to start.
+  /// Moves that texts have prepared and that no GO has started yet.
   [[nodiscard]] const PreparedMoves& prepared() const { return prepared_; }
   PreparedMoves& prepared() { return prepared_; }
   void forget_prepared() { prepared_.forget(); }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/driver_faults.h"
 #include "core/devices/vme58/codec.h"
 
 namespace hw::vme58 {
@@ -23,13 +24,11 @@ TrafficKind kind_of(Priority priority) {
 
 Fault when_put(Fault why) {
   if (why.kind != FaultKind::stopped) return why;
-  return Fault(FaultKind::no_answer, "A stop came while this was under way.",
+  return Fault(FaultKind::no_answer, "A stop came while this command was under way.",
                "Whether the board has carried it out is unknown.");
 }
 
-tl::unexpected<Fault> no_connection() {
-  return fail(FaultKind::lost, "There is no connection to the board.", "Nothing was sent.");
-}
+tl::unexpected<Fault> no_connection() { return not_connected("board"); }
 
 Wire::Wire(Scheduler& scheduler, std::function<void(Notice)> notify)
     : scheduler_(scheduler), notify_(std::move(notify)) {}
@@ -59,7 +58,7 @@ Task<Result<>> Wire::pause(Duration time) {
   co_return co_await station_->pause(time);
 }
 
-// Reads the index twice: the values differ if the board changes it, or if a byte was garbled.
+// Reads the index twice: if the values differ, the board is changing it, or a byte was garbled.
 Task<Result<int>> Wire::read_index(std::uint16_t offset, Priority priority) {
   std::vector<BusCycle>& cycles = burst();
   for (int attempt = 0; attempt < index_attempts; ++attempt) {
@@ -69,10 +68,10 @@ Task<Result<int>> Wire::read_index(std::uint16_t offset, Priority priority) {
     if (cycles[0].value == cycles[1].value && is_index(cycles[0].value))
       co_return static_cast<int>(cycles[0].value);
   }
-  co_return fail(FaultKind::garbled,
-                 fmt::format("An index of the rings reads {:04X}, which no VME58 shows.", cycles[1].value),
-                 "It was read several times.",
-                 "Check the bus, and whether another program resets the board.");
+  co_return fail(
+      FaultKind::garbled,
+      fmt::format("An index of the rings reads {:04X}, which is not a valid index.", cycles[1].value),
+      "It was read several times.", "Check the bus, and whether another program resets the board.");
 }
 
 bool Wire::perhaps_done(const Fault& why) const {

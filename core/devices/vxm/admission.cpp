@@ -40,12 +40,12 @@ Result<> Admission::may_run() const {
 
 Result<> Admission::may_move(int axis) const {
   if (axis < 0 || axis >= console_.snapshot.axis_count)
-    return fail(FaultKind::refused, fmt::format("There is no motor {} here.", axis + 1), "Nothing was sent.");
+    return fail(FaultKind::refused, fmt::format("There is no motor {}.", axis + 1), "Nothing was sent.");
   if (axis >= motors_per_controller && !identification_.has_slave())
     return fail(
         FaultKind::refused,
         fmt::format("Motor {} belongs to a second controller, and none answers on the VXM bus.", axis + 1),
-        "Nothing was sent.", "Check the Slave's power and cable, then reconnect.");
+        "Nothing was sent.", check_slave);
   return may_run();
 }
 
@@ -54,7 +54,7 @@ Result<> Admission::may_change() const {
     return fail(FaultKind::refused, explain_error(presence_.error()).what, "Nothing was sent.",
                 explain_error(presence_.error()).advice);
   if (under_way_.busy())
-    return fail(FaultKind::refused, "The controller is busy and takes no program commands.",
+    return fail(FaultKind::refused, "The controller is busy and accepts no program commands.",
                 "Nothing was sent.", "Wait until it ends, or stop it.");
   return {};
 }
@@ -64,10 +64,10 @@ void Admission::warn_of_motor_type(int axis) {
     return;
   console_.report(
       Notice::Kind::warning,
-      fmt::format("Motor {0} is set to type 0, the factory value for the smallest motors: a larger one only "
-                  "buzzes. The "
-                  "move was sent. If motor {0} does not turn, choose its type in Setup, Motors.",
-                  axis + 1));
+      fmt::format(
+          "Choose the type of motor {0} in Setup, Motors, if it does not turn: it is set to type 0, the "
+          "factory value for the smallest motors, and a larger motor only buzzes. The move was sent.",
+          axis + 1));
 }
 
 }  // namespace hw::vxm

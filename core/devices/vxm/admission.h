@@ -23,7 +23,7 @@ class Admission {
 
   [[nodiscard]] Result<> may_run() const;
   [[nodiscard]] Result<> may_move(int axis) const;
-  /// Set-up or programs.
+  /// Whether the set-up or the programs may be changed now.
   [[nodiscard]] Result<> may_change() const;
   /// Warns once per motor.
   void warn_of_motor_type(int axis);

@@ -2,15 +2,16 @@
 
 #include <fmt/core.h>
 
+#include "core/base/lengths.h"
 #include "core/device/stopping_way.h"
 #include "core/devices/vxm/facts.h"
 
 namespace hw::vxm {
 namespace {
 
-// Manual p.11. Decimals: enough that two neighbouring steps never look alike.
+// Manual p.11. Decimals: enough to tell two neighbouring steps apart.
 std::vector<UnitChoice> units() {
-  constexpr double mm = 25.4;
+  constexpr double mm = mm_per_inch;
   return {
       {"UniSlide C, P40 or BiSlide E25: 0.025 inch a turn", "inch", 0.0000625, 5},
       {"UniSlide C, P40 or BiSlide E25 in mm: 0.635 mm a turn", "mm", 0.0000625 * mm, 3},

@@ -20,4 +20,7 @@ inline constexpr AccelerationUnit acceleration_unit{"x 1000 steps/s²", "as A of
 std::vector<ParamInfo> params(int motors);
 std::vector<CommandInfo> commands(int motors);
 
+/// The help of a command without a number or motor of its own: "U4", "R", "lst". Empty: there is none.
+std::string_view help_of(std::string_view form);
+
 }  // namespace hw::vxm

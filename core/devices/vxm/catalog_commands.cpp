@@ -214,6 +214,12 @@ CommandInfo info_of(const Row& r) {
 
 }  // namespace
 
+std::string_view help_of(std::string_view form) {
+  for (const Row& r : rows)
+    if (r.form == form) return r.help;
+  return {};
+}
+
 std::vector<CommandInfo> commands(int motors) {
   std::vector<CommandInfo> all;
   for (const Row& r : rows) all.push_back(info_of(r));

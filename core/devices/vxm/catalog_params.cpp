@@ -21,16 +21,16 @@ std::vector<ParamChoice> motor_types() {
 
 std::vector<ParamChoice> joystick_ranges() {
   std::vector<ParamChoice> all{{0, "0: joystick off"}};
-  for (int x = 1; x <= 24; ++x) all.push_back({x, fmt::format("{0}: {0} to {1} steps/s", x, 250 * x)});
+  for (int x = 1; x <= max_joystick_range; ++x)
+    all.push_back({x, fmt::format("{0}: {0} to {1} steps/s", x, 250 * x)});
   return all;
 }
 
 std::string motor_warning(int m) {
   return fmt::format(
-      "The controller drives motor {0} with the power of the type chosen here. A type that does not match "
-      "the "
-      "motor connected to motor {0} can severely damage the motor and the controller. Compare it with the "
-      "label on motor {0} before you confirm.",
+      "Compare the chosen type with the label on motor {0} before you confirm. The controller drives the "
+      "motor with the power of this type: a type that does not match can severely damage the motor and the "
+      "controller.",
       m);
 }
 
@@ -57,7 +57,7 @@ void as_in_facts(ParamInfo& p, std::string_view mnemonic, std::string unit = {})
   }
 }
 
-/// 0 is a choice of its own.
+/// A range in which 0 has a meaning of its own.
 void as_joystick_range(ParamInfo& p, std::string_view mnemonic) {
   as_in_facts(p, mnemonic);
   p.minimum = 0, p.also_zero = false;
@@ -66,15 +66,15 @@ void as_joystick_range(ParamInfo& p, std::string_view mnemonic) {
 
 ParamInfo motor_type(int m) {
   ParamInfo p = row(fmt::format("M{}M", m), "Motors", fmt::format("Type of motor {}", m),
-                    "Choose the type of the connected motor. The controller sets the motor current by it. "
+                    "Choose the type of the connected motor. The controller sets the motor current to match. "
                     "Type 0 is the factory value, for very small motors: a larger motor only buzzes and does "
-                    "not move. While you jog by the buttons, the motor gets 70 % of its power.");
+                    "not move. While you jog with the buttons, the motor gets 70 % of its power.");
   as_in_facts(p, "MmM");
   p.choices = motor_types();
   p.warning = motor_warning(m);
   p.before_moving = fmt::format(
-      "Motor {} still has type 0, the factory value. All but very small motors then only buzz and lose "
-      "steps. Choose the type that its label gives.",
+      "Choose the type of motor {} that is on its label. It still has type 0, the factory value: all but "
+      "very small motors then only buzz and lose steps.",
       m);
   p.unset_value = 0;
   p.manual = "Setup Commands p.25";
@@ -112,7 +112,7 @@ ParamInfo limit_mode(int m) {
 
 ParamInfo pulse_every(int m) {
   ParamInfo p =
-      row(fmt::format("P{}M", m), "Position pulses", fmt::format("Pulse every so many steps of motor {}", m),
+      row(fmt::format("P{}M", m), "Position pulses", fmt::format("Steps between pulses of motor {}", m),
           "Output 2 gives a pulse each time the motor has turned by this many steps, also while jogging, for "
           "example to trigger a camera. The first pulse comes after half of the distance. "
           "0 switches it off.");
@@ -171,10 +171,10 @@ ParamInfo deadband() {
 }
 
 ParamInfo mode() {
-  ParamInfo p =
-      row("DM", "Mode", "Controller mode",
-          "Reverses single motors, makes this controller the Master of a second one, lets it behave like the "
-          "older NF90, or runs program 4 before the first run after power-up: put a homing routine there.");
+  ParamInfo p = row(
+      "DM", "Mode", "Controller mode",
+      "Reverses individual motors, makes this controller the Master of a second one, lets it behave like the "
+      "older NF90, or runs program 4 before the first run after power-up: put a homing routine there.");
   as_in_facts(p, "DM");
   p.bits = {{0, "always on"},
             {1, "motor 1 turns the other way"},
@@ -192,11 +192,10 @@ ParamInfo mode() {
 }
 
 ParamInfo input_mode() {
-  ParamInfo p =
-      row("I", "Inputs", "What the inputs do",
-          "Which of the Run and Stop buttons and of the inputs 1 to 4 act, and how: stopping with or "
-          "without a ramp, choosing a program, branching out of a wait, or capturing positions. The Stop "
-          "input is no emergency stop: an emergency stop must cut the power.");
+  ParamInfo p = row("I", "Inputs", "What the inputs do",
+                    "Which of the Run and Stop buttons and of the inputs 1 to 4 act, and how: stopping with "
+                    "or without a ramp, choosing a program, branching out of a wait, or capturing positions. "
+                    "The Stop input is not an emergency stop: an emergency stop must cut the power.");
   as_in_facts(p, "I");
   p.bits = {{0, "Run button and input start programs"},
             {1, "Stop button and input 4 stop programs"},
@@ -249,9 +248,9 @@ ParamInfo limit_report() {
 ParamInfo baud() {
   ParamInfo p =
       row("B", "Communication", "Baud rate",
-          "Speed of the serial line. The console changes its own side together with the controller and "
-          "goes back if it gets no answer. The controller keeps the new rate over power-off only after "
-          "Store. It does not report its rate, so none is shown until you set one here.");
+          "Speed of the serial line. The console changes its own side together with the controller and goes "
+          "back if it receives no reply. The controller keeps the new rate over power-off only after Store. "
+          "It does not report its rate, so none is shown until you set one here.");
   as_in_facts(p, "B");
   for (const Baud& b : bauds) p.choices.push_back({b.number, fmt::format("{} baud", b.rate)});
   p.address_option = "baud", p.holds_at_once = true;

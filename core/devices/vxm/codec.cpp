@@ -207,8 +207,7 @@ ErrorWords explain_error(char letter) {
   switch (letter) {
     case error_bus:
       return {
-          "The controller reports EB: a command for motor 3 or 4 was met, but no second controller answers "
-          "on "
+          "The controller reports EB: it met a command for motor 3 or 4, but no second controller answers on "
           "the VXM bus. It has restarted.",
           "Check that the Slave is switched on and its cable plugged, and that this controller is set to be "
           "the "
@@ -216,26 +215,23 @@ ErrorWords explain_error(char letter) {
           false, true};
     case error_memory:
       return {
-          "The controller reports EM: the program memory is full, the last command was not stored. It "
-          "accepts "
-          "nothing until it gets K.",
+          "The controller reports EM: the program memory is full, and the last command was not stored. It "
+          "accepts nothing until it receives K.",
           std::string(recover) + " Then shorten the program.", true, false};
     case error_loops:
       return {
-          "The controller reports EL: more than 10 nested loops were met in one run. It accepts nothing "
-          "until it "
-          "gets K.",
+          "The controller reports EL: more than 10 loops were nested in one run. It accepts nothing until it "
+          "receives K.",
           std::string(recover) + " Then use fewer loops inside each other.", true, false};
     case error_jumps:
       return {
-          "The controller reports EJ: more than 4 nested JM jumps were met in one run. It accepts nothing "
-          "until it "
-          "gets K.",
+          "The controller reports EJ: more than 4 JM jumps were nested in one run. It accepts nothing until "
+          "it receives K.",
           std::string(recover) + " Then let fewer programs call each other.", true, false};
     case error_nonstop:
       return {
           "The controller reports EC: nonstop indexing has no U9, U91, U92 or U99 at its end, or it contains "
-          "another motor. The controller accepts nothing until it gets K.",
+          "another motor. The controller accepts nothing until it receives K.",
           std::string(recover) + " Then correct the part of the program that begins with U7, U77 or U8.",
           true, false};
     case error_erased:

@@ -74,7 +74,7 @@ struct Message {
     held,        ///< : and the command before which the controller holds
     error,       ///< E and a letter, or the barred E
     end,         ///< a carriage return alone (G mode)
-    unknown,     ///< one byte that means nothing here
+    unknown,     ///< one byte that belongs to no message
   };
   Kind kind = Kind::unfinished;
   std::size_t length = 0;  ///< in bytes; 0 when unfinished
@@ -93,7 +93,7 @@ std::size_t before_listing(std::string_view received);  ///< lst
 /// Bytes as shown in a sentence: "<cr>", "<FF>".
 std::string printable(std::string_view bytes);
 
-/// True: a raw status byte of this value could be mistaken for a message.
+/// Whether a raw status byte of this value could be mistaken for a message.
 bool could_be_message(char byte);
 
 struct ErrorWords {

@@ -50,7 +50,7 @@ std::string canonical(const TextCommand& c) {
   return {};
 }
 
-// The text before motor and number, as in the table of costs.
+// The command's text before motor and number, as the table of costs has it.
 static std::string_view head_of(const TextCommand& c) {
   switch (c.verb) {
     case Verb::index_by:

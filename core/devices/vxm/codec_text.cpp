@@ -43,7 +43,7 @@ class TextReader {
       if (at_ >= text_.size() || !(is_dropped(text_[at_]) || is_ender(text_[at_]))) return;
     }
   }
-  /// Next character that counts, 0 at the end.
+  /// The next character that is not ignored; 0 at the end.
   char peek() {
     skip_dropped();
     return at_ < text_.size() ? text_[at_] : '\0';
@@ -57,7 +57,7 @@ class TextReader {
 
   // ---- pieces of commands
 
-  /// Sets the flaw when no expected character came: the character begins something new.
+  /// Marks the command as spoilt: an unexpected character came, which begins a new command.
   void give_up(TextCommand& c) {
     c.flaw = ended() ? Flaw::open : is_ender(peek()) || peek() == ';' ? Flaw::no_value : Flaw::unknown;
     c.name = std::string(text_.substr(c.begin, std::max<std::size_t>(at_ - c.begin, 1)));
@@ -69,7 +69,7 @@ class TextReader {
       if (n < most_digits) value = 10 * value + (text_[at_] - '0');
     return value;
   }
-  /// The number has begun; what follows must end it.
+  /// The number has begun: the next character must end it.
   void end_number(TextCommand& c) {
     if (peek() == ';') skip_remark();
     if (ended()) return void(c.flaw = Flaw::open);

@@ -77,7 +77,7 @@ bool ends_open(std::string_view text);
 std::string canonical(const TextCommand& command);
 /// Bytes of program memory.
 int program_cost(const TextCommand& command);
-/// The controller takes its motor and its number.
+/// Whether the controller accepts the command's motor and number.
 bool possible(const TextCommand& command);
 /// Range of the command's value: "1 to 6000 steps/s". Empty: it has no value.
 std::string allowed_values(const TextCommand& command);

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/driver_faults.h"
 #include "core/devices/vxm/reply_kinds.h"
 
 namespace hw::vxm {
@@ -16,10 +17,9 @@ constexpr Duration late_greeting_patience = std::chrono::seconds(3);
 
 tl::unexpected<Fault> no_such_answer(std::string_view question, std::string_view reply) {
   return fail(FaultKind::garbled,
-              fmt::format("The controller answered {} to {}, which is not a valid answer.", printable(reply),
+              fmt::format("The controller answered {} to {}, which is not a valid reply.", printable(reply),
                           printable(question)),
-              "It was asked again.",
-              "Check the cable, the baud rate, and whether another program talks to the controller.");
+              "It was asked again.", check_line);
 }
 
 using Unsolicited = std::size_t (*)(std::string_view);
@@ -64,8 +64,7 @@ Task<Result<std::string>> Conversation::exchange(Transaction t) {
     auto paused = co_await station_->pause(Millis(2));
     if (!paused) co_return fail(paused.error());
   }
-  if (!station_)
-    co_return fail(FaultKind::lost, "There is no connection to the controller.", "Nothing was sent.");
+  if (!station_) co_return not_connected("controller");
   asked_ = t.bytes;
   auto reply = co_await station_->transact(std::move(t));
   if (reply && station_) asked_at_ = scheduler_.now() - station_->statistics().last_round_trip;
@@ -90,11 +89,11 @@ Task<Result<T>> Conversation::decoded(Transaction question,
     }
     ++repeats_;
     const bool is_lost = !reply && was_dirty && !patient_;
-    if (is_lost || listening_().halted) break;  // halted it answers nothing until K
+    if (is_lost || listening_().halted) break;  // a halted controller answers nothing until K
     auto quiet = co_await wait_for_quiet();
     if (!quiet) co_return fail(quiet.error());
     if (question.bytes.size() == 1 && !patient_) continue;
-    auto ended = co_await transmit_anyway("\r");  // a fragment of it would precede the next
+    auto ended = co_await transmit_anyway("\r");  // a fragment of the question would precede the next one
     if (!ended) co_return fail(ended.error());
   }
   if (!reply) co_return fail(reply.error());
@@ -174,8 +173,8 @@ Task<Result<std::string>> Conversation::places(ReplyShape shape, Priority priori
   co_return co_await exchange(std::move(t));
 }
 
-// Outstanding replies may be late. Two that come at once, with silence after each, are no outstanding ones:
-// those were not requested one right after the other.
+// A reply may be an outstanding one that comes late. Two replies that each come at once, with silence after
+// them, are not outstanding ones, which were not requested one right after the other.
 Task<Result<std::string>> Conversation::greet(std::uint16_t quiet_ms) {
   auto t =
       own_question("V", ReplyShape::until_quiet(quiet_ms), Priority::intent, nullptr, reply_kind::letter);
@@ -192,7 +191,7 @@ Task<Result<std::string>> Conversation::greet(std::uint16_t quiet_ms) {
   co_return reply;
 }
 
-Task<Result<std::string>> Conversation::whether_it_answers() {
+Task<Result<std::string>> Conversation::ask_while_silent() {
   auto t = own_question("V", ReplyShape::bytes(1), Priority::poll, before_state, reply_kind::letter);
   t.may_be_silent = true;
   co_return co_await exchange(std::move(t));
@@ -267,7 +266,8 @@ std::size_t Conversation::receive_unsolicited(std::string_view bytes) {
   return *first_unknown > kept ? *first_unknown - kept : 0;
 }
 
-// An outstanding byte may look like a one-byte message, and a listing like many.
+// False: the byte may be an outstanding reply. A raw byte may look like a one-byte message, and a listing
+// like many messages.
 bool Conversation::believes(const Message& m) const {
   if (!station_ || !station_->is_dirty()) return true;
   const OutstandingReplies& outstanding = station_->outstanding();

@@ -17,6 +17,9 @@ inline bool worth_another_try(const Fault& fault) {
   return fault.kind == FaultKind::no_answer || fault.kind == FaultKind::garbled;
 }
 
+inline constexpr const char* check_line =
+    "Check the cable, the baud rate, and whether another program talks to the controller.";
+
 class Conversation {
  public:
   /// `listening`: see listens(). `on_unsolicited`: receives unsolicited messages.
@@ -28,7 +31,7 @@ class Conversation {
   /// Null: no wire.
   [[nodiscard]] Station* station() const { return station_; }
   /// True while the controller is being opened: questions are repeated more often.
-  void be_patient(bool patient) { patient_ = patient; }
+  void use_long_deadlines(bool patient) { patient_ = patient; }
 
   // ---- questions
   Task<Result<char>> state(Priority priority);
@@ -41,15 +44,15 @@ class Conversation {
   Task<Result<Listing>> listing(Priority priority);
   /// A listing of `commands` commands: ends at its last line, not by a silence.
   Task<Result<Listing>> listing_of(std::size_t commands, Priority priority);
-  /// ?, ~ or $. The reply may be any byte: believe it once a later question has been answered, if
+  /// ?, ~ or $. The reply may be any byte. It counts only once a later question has been answered and
   /// unexpected() has not changed meanwhile.
   Task<Result<unsigned char>> raw(char question, Priority priority);
   /// D, in Local mode only.
   Task<Result<std::string>> places(ReplyShape shape, Priority priority);
-  /// V, even while late replies may come. Returns all bytes received until the line is quiet.
+  /// Asks V, even while late replies may come. Returns all bytes received until the line is quiet.
   Task<Result<std::string>> greet(std::uint16_t quiet_ms);
-  /// V, to a controller that usually does not answer. Silence counts as no miss.
-  Task<Result<std::string>> whether_it_answers();
+  /// Asks V of a controller that usually does not answer. Silence does not count as a miss.
+  Task<Result<std::string>> ask_while_silent();
   /// Any other question. Without a given kind of reply, its reply may have any form.
   Task<Result<std::string>> ask(std::string question, AnswerShape answer, Priority priority);
   Task<Result<std::string>> kill(Priority priority, Duration patience);
@@ -60,7 +63,7 @@ class Conversation {
   Task<Result<>> transmit_anyway(std::string text);
   /// Call after a reply that made no sense. Bytes still to come must not be taken for the next reply, and
   /// nothing may be sent while the controller sends (the overrun of the manual's p.30 locks it until
-  /// power-off). Endless noise is not waited for: its sender is no VXM.
+  /// power-off). It does not wait for the end of endless noise, which no VXM sends.
   Task<Result<>> wait_for_quiet();
 
   /// The state that decides which commands the controller takes now, as far as known.

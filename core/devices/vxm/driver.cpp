@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/base/index.h"
+#include "core/device/driver_faults.h"
 #include "core/devices/vxm/facts.h"
 #include "core/devices/vxm/text_goals.h"
 #include "core/devices/vxm/text_meaning.h"
@@ -45,9 +46,9 @@ void VxmDriver::wire_lost() {
 }
 
 Task<Result<>> VxmDriver::connect() {
-  conversation_.be_patient(true);
+  conversation_.use_long_deadlines(true);
   auto made = co_await find_out_all();
-  conversation_.be_patient(false);
+  conversation_.use_long_deadlines(false);
   co_return made;
 }
 
@@ -87,9 +88,7 @@ std::string VxmDriver::leaves_behind() const { return work_.legs.leaves_behind()
 
 Task<Result<std::string>> VxmDriver::stop(const StopOrder& order) {
   using What = StopOrder::What;
-  if (!conversation_.station())
-    co_return fail(FaultKind::lost, "Stop cannot reach the controller: there is no connection.",
-                   "Nothing was sent.", "Use its power switch.");
+  if (!conversation_.station()) co_return stop_cannot_reach("controller", "Use its power switch.");
   if (order.what == What::broadcast) co_return std::string();  // a VXM is alone on its wire
   if (order.what == What::words) co_return co_await work_.texts.stop_by_words(order);
   auto sent = co_await work_.stops.send(order);
@@ -125,7 +124,7 @@ TextGoals VxmDriver::goals_of(std::string_view text) const {
 
 // Ensures that the next request meets a known controller that listens.
 Task<Result<>> VxmDriver::make_ready() {
-  auto clean = co_await course_.status.see_to_dirt();
+  auto clean = co_await course_.status.clean_if_dirty();
   if (!clean) co_return clean;
   auto received = co_await watch_.echo.end_before_request();
   if (!received) co_return received;
@@ -166,7 +165,7 @@ Task<Result<>> VxmDriver::perform_program(const IntentBody& body) {
   using namespace intent;
   const int slot = slot_of(body);
   if (slot >= program_count || slot < -1)
-    co_return fail(FaultKind::refused, fmt::format("There is no program {}: a VXM has 0 to 4.", slot),
+    co_return fail(FaultKind::refused, fmt::format("There is no program {}: programs are 0 to 4.", slot),
                    "Nothing was sent.");
   if (const auto* i = std::get_if<LoadProgram>(&body)) co_return co_await known_.slots.load(*i);
   if (std::holds_alternative<Pause>(body)) co_return co_await work_.runs.pause();
@@ -180,7 +179,7 @@ Task<Result<>> VxmDriver::perform_program(const IntentBody& body) {
   } else if (std::holds_alternative<RunProgram>(body) && known_.slots.selected() >= 0) {
     co_return co_await work_.runs.run(known_.slots.selected());
   }
-  co_return fail(FaultKind::refused, "A VXM cannot do that.", "Nothing was sent.");
+  co_return fail(FaultKind::refused, "A VXM has no command for this.", "Nothing was sent.");
 }
 
 int VxmDriver::slot_of(const IntentBody& body) {

@@ -28,11 +28,11 @@ Task<Result<>> Echo::end(char state) {
     if (!reply && reply.error().kind != FaultKind::no_answer) co_return fail(reply.error());
     const Greeting greeting = reply ? read_greeting(*reply) : Greeting();
     if (greeting.is_a_vxm() && !greeting.echo) conversation_.set_echoes(false);
-    if (greeting.is_a_vxm() && greeting.state != ready) co_return Result<>();  // something was begun
+    if (greeting.is_a_vxm() && greeting.state != ready) co_return Result<>();  // a run has begun
   }
   if (conversation_.echoes())
     co_return fail(FaultKind::garbled, "The controller still echoes each command, although F was sent.", {},
-                   "Check whether another program uses it, or a device on the way sends bytes back.");
+                   "Check whether another program uses it, or a device on the line echoes bytes.");
   reported_ = false;
   console_.report(Notice::Kind::info, "The controller echoed each command. Echo was switched off.");
   co_return Result<>();

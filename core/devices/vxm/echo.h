@@ -1,5 +1,5 @@
 #pragma once
-// Ends the echo of a controller by F, which it does not take while a program runs.
+// Ends a controller's echo by F, which the controller ignores while a program runs.
 #include <utility>
 
 #include "core/devices/vxm/console.h"
@@ -13,10 +13,10 @@ class Echo {
 
   /// A new wire.
   void begin() { reported_ = false; }
-  /// `state`: the reply to V. While a program runs, F is dropped and an echo looks like a status byte: only
-  /// the state and the positions are believed until F is taken.
+  /// `state`: the reply to V. While a program runs, F is dropped, and an echo looks like a status byte: until
+  /// F is accepted, only the state and the positions count.
   Task<Result<>> end(char state);
-  /// Call before a request, whose reply would look like the echo: ends the echo.
+  /// Ends the echo. Call before a request, whose reply could not be told from the echo.
   Task<Result<>> end_before_request();
 
  private:

@@ -7,11 +7,6 @@
 #include "core/devices/vxm/emulator_vxm.h"
 
 namespace hw::vxm {
-namespace {
-
-constexpr std::size_t pulses_kept = 100'000;
-
-}  // namespace
 
 VxmEmulator::VxmEmulator(const EmulatorOptions& options) : options_(options) {
   if (options.motors > motors_per_controller) box_.link(Box());
@@ -153,8 +148,8 @@ Result<> VxmEmulator::load_memory(std::string_view text) {
   const LoadedMemory loaded = load_lines(text, loaded_box);
   if (loaded.good_lines == 0)
     return fail(FaultKind::text,
-                "This is no memory of a VXM" + (loaded.problem.empty() ? "." : ": " + loaded.problem),
-                "The memory stays as it was.");
+                "This is not a memory of a VXM" + (loaded.problem.empty() ? "." : ": " + loaded.problem),
+                "Nothing was changed.");
   box_ = std::move(loaded_box);
   if (Box* s = box_.slave()) s->take_saved();
   box_.take_saved();
@@ -162,7 +157,7 @@ Result<> VxmEmulator::load_memory(std::string_view text) {
   after();
   if (loaded.problem.empty()) return {};
   return fail(FaultKind::text, "The memory of the VXM is damaged: " + loaded.problem,
-              "The readable part was taken; the rest has its factory values.",
+              "The readable part was used; the rest has its factory values.",
               "Check motor types and programs before you run a motor.");
 }
 

@@ -111,7 +111,7 @@ bool Box::settle_own() {
 
 std::optional<Instant> Box::own_event() const {
   auto next = motion_event();
-  if (run_.on && (run_.doing == Doing::pausing || run_.doing == Doing::breathing))
+  if (run_.on && (run_.doing == Doing::pausing || run_.doing == Doing::yielding))
     next = earlier(next, run_.until);
   if (run_.on) next = earlier(next, wait_event());
   next = earlier(next, run_button_event());

@@ -9,13 +9,13 @@ namespace {
 
 template <class Visit>
 void visit_pairs(Setup& s, Visit&& visit) {
-  visit("motor-type", s.motor_type, 0, 6);
+  visit("motor-type", s.motor_type, 0, max_motor_type);
   visit("jog-1", s.jog_1, 0, max_speed);
-  visit("jog-2", s.jog_2, 40, max_speed);
-  visit("joystick-1", s.joy_1, 0, 24);
-  visit("joystick-2", s.joy_2, 0, 24);
+  visit("jog-2", s.jog_2, min_jog_2, max_speed);
+  visit("joystick-1", s.joy_1, 0, max_joystick_range);
+  visit("joystick-2", s.joy_2, 0, max_joystick_range);
   visit("limit-mode", s.limit_mode, -2, 2);
-  visit("pulse-every", s.pulse_every, 0, 32767);
+  visit("pulse-every", s.pulse_every, 0, max_pulse_every);
 }
 
 template <class Visit>

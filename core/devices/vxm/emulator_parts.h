@@ -109,7 +109,7 @@ struct PlannedMove {
   bool with_next = false;  ///< starts together with the next move
 };
 
-enum class Doing : std::uint8_t { next, moving, pausing, breathing, waiting, for_host, held };
+enum class Doing : std::uint8_t { next, moving, pausing, yielding, waiting, for_host, held };
 
 /// A wait for inputs (U0 ...).
 struct Wait {

@@ -11,7 +11,7 @@ namespace {
 
 // Commands without a duration take no time, but an endless loop of them must let time pass.
 constexpr int commands_at_once = 10'000;
-constexpr Duration breath = Millis(1);
+constexpr Duration yield_time = Millis(1);
 
 }  // namespace
 
@@ -52,7 +52,7 @@ bool Box::run_if_due() {
       changed = true;
       break;
     case Doing::pausing:
-    case Doing::breathing:
+    case Doing::yielding:
       if (now_ < run_.until) return false;
       restore_out();
       run_.doing = Doing::next;
@@ -82,7 +82,7 @@ bool Box::execute_next() {
   if (run_.instant != now_) run_.instant = now_, run_.commands_this_instant = 0;
   if (++run_.commands_this_instant > commands_at_once) {
     if (run_.nonstop.moving) return raise(error_nonstop), true;
-    run_.doing = Doing::breathing, run_.until = now_ + breath;
+    run_.doing = Doing::yielding, run_.until = now_ + yield_time;
     return true;
   }
   if (run_.stack.empty()) {

@@ -120,7 +120,7 @@ void Box::set_motor_value(Head head, int axis, int value, bool minus) {
   switch (head) {
     case Head::set_M:
     case Head::set_MA:
-      if (value > 6) return;
+      if (value > max_motor_type) return;
       setup.motor_type[i] = value;
       setup.full_jog_power[i] = head == Head::set_MA;
       return;
@@ -128,10 +128,10 @@ void Box::set_motor_value(Head head, int axis, int value, bool minus) {
       if (value <= max_speed) setup.jog_1[i] = value;
       return;
     case Head::set_J:
-      if (within(value, 40, max_speed)) setup.jog_2[i] = value;
+      if (within(value, min_jog_2, max_speed)) setup.jog_2[i] = value;
       return;
     case Head::set_jA:
-      if (value <= 24) setup.joy_1[i] = value;
+      if (value <= max_joystick_range) setup.joy_1[i] = value;
       return;
     case Head::set_JA:
       if (value <= 24) setup.joy_2[i] = value;
@@ -141,7 +141,7 @@ void Box::set_motor_value(Head head, int axis, int value, bool minus) {
       setup.limit_mode[i] = minus ? -value : value;
       return plant_changed(axis);
     case Head::set_P:
-      if (value > 32767) return;
+      if (value > max_pulse_every) return;
       setup.pulse_every[i] = value;
       axes_[i].comb = 0;
       return;

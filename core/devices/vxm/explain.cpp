@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/codec_text.h"
 #include "core/devices/vxm/facts.h"
@@ -19,52 +20,38 @@ std::string pause_length(const TextCommand& c) {
   return c.minus ? fmt::format("{:g} ms", static_cast<double>(c.value) / 10) : tenths(c.value);
 }
 
+/// Shorter than the help in the catalog.
 struct UserWords {
   int number;
   const char* words;
 };
 constexpr UserWords user_words[] = {
-    {0, "wait until input 1 is low"},
-    {1, "wait until input 1 is low, output 1 on meanwhile"},
     {2, "allow jogging by hand during waits"},
     {3, "no jogging by hand during waits"},
-    {4, "output 1 off"},
-    {5, "output 1 on"},
     {6, "send W and wait for G"},
     {7, "begin nonstop indexing with pulses on output 2"},
     {8, "begin nonstop indexing, @ at each index end"},
-    {9, "end nonstop indexing with a ramp"},
-    {11, "leave out the next command if input 1 is high"},
-    {12, "leave out the next command if input 2 is high"},
     {13, "wait for a button, jump to program 1 or 2 or go on"},
-    {14, "output 2 off"},
-    {15, "output 2 on"},
     {16, "output 3 off"},
     {17, "output 3 on"},
     {18, "output 4 off"},
     {19, "output 4 on"},
-    {21, "leave out the next command if input 1 is low"},
-    {22, "leave out the next command if input 2 is low"},
     {23, "wait for a button, run program 1 or 2 and return, or go on"},
-    {30, "wait until input 1 goes from low to high"},
-    {31, "wait until input 1 goes from low to high, output 1 on meanwhile"},
-    {32, "wait for the jog 1- button"},
-    {33, "wait for the jog 1+ button"},
     {50, "wait for press and release on input 1"},
     {51, "wait for press and release on input 1, output 1 on meanwhile"},
     {77, "begin nonstop indexing"},
     {90, "wait for press and release of Run"},
     {91, "end nonstop indexing, write the ramp as an index"},
-    {92, "end nonstop indexing, the next index is the ramp"},
     {99, "end nonstop indexing at once"},
 };
 
 std::string user_command(std::int64_t number) {
   const bool slave = number >= slave_u_offset;
+  std::string_view words = help_of(fmt::format("U{}", number % slave_u_offset));
   for (const UserWords& u : user_words)
-    if (u.number == number % slave_u_offset)
-      return fmt::format("{}{}", slave ? "on the Slave: " : "", u.words);
-  return "a U command that the VXM does not have";
+    if (u.number == number % slave_u_offset) words = u.words;
+  if (words.empty()) return "a U command that the VXM does not have";
+  return fmt::format("{}{}", slave ? "on the Slave: " : "", words);
 }
 
 std::string stored_command(const TextCommand& c) {
@@ -106,26 +93,16 @@ struct LetterWords {
 };
 constexpr LetterWords letter_words[] = {
     {'Q', "leave on-line mode"},
-    {'R', "run the selected program"},
-    {'N', "set all positions to zero"},
     {'K', "stop everything at once, outputs off"},
-    {'C', "empty the selected program"},
     {'D', "ramp the moving motor down"},
-    {'E', "go on-line with echo"},
-    {'F', "go on-line without echo"},
     {'G', "go on, or go on-line with CR after prompts"},
-    {'H', "hold before each command, or end that"},
     {'!', "capture the positions"},
     {'V', "ask for the state"},
-    {'X', "ask where motor 1 is"},
-    {'Y', "ask where motor 2 is"},
     {'Z', "ask where motor 3 is"},
     {'T', "ask where motor 4 is"},
     {'x', "ask for the captured positions of motor 1"},
     {'y', "ask for the captured positions of motor 2"},
     {'M', "ask for free memory"},
-    {'#', "ask which motor was addressed last"},
-    {'*', "ask where the last ramp down began"},
     {'?', "ask for the limit switches"},
     {'~', "ask for the inputs"},
     {'$', "ask for the outputs"},
@@ -135,7 +112,7 @@ constexpr LetterWords letter_words[] = {
 std::string letter_command(char letter) {
   for (const LetterWords& l : letter_words)
     if (l.letter == letter) return l.words;
-  return {};
+  return std::string(help_of(std::string_view(&letter, 1)));
 }
 
 std::string setup_name(std::string_view name) {
@@ -176,10 +153,8 @@ std::string setup_name(std::string_view name) {
 }
 
 std::string word_command(std::string_view word) {
-  if (word == "lst") return "list the selected program";
   if (word == "rsm") return "store set-up and programs permanently";
-  if (word == "res") return "restart as after power-up";
-  return "delete the last command of the selected program";
+  return std::string(help_of(word));
 }
 
 std::string immediate_command(const TextCommand& c) {
@@ -306,7 +281,7 @@ std::string explain_messages(std::string_view bytes) {
 
 std::string explain_command(const TextCommand& c) {
   switch (c.flaw) {
-    case Flaw::unknown: return fmt::format("no command of the VXM: {}", c.name);
+    case Flaw::unknown: return fmt::format("not a command of the VXM: {}", c.name);
     case Flaw::no_value: return "a command without its number: the controller drops it";
     case Flaw::range:
       return fmt::format("{} is out of range ({}): the controller drops it", canonical(c), allowed_values(c));

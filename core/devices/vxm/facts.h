@@ -71,6 +71,10 @@ inline constexpr std::array<AnalogRange, 21> analog_ranges{{
 inline constexpr int analog_min = 0, analog_max = 1024, analog_default = 512;
 
 // --- set-up (set, get; p.25 and appendices) ------------------------------------------------------------
+inline constexpr int min_jog_2 = 40;            ///< steps/s, the second jog speed (App. H p.49)
+inline constexpr int max_joystick_range = 24;   ///< App. J p.54
+inline constexpr int max_pulse_every = 32'767;  ///< App. D p.41
+inline constexpr int max_motor_type = 6;
 /// A value of set/get. `mnemonic`: the text between set/get and the number, `m` for the motor's digit.
 struct SetupFact {
   std::string_view mnemonic;
@@ -79,19 +83,19 @@ struct SetupFact {
   bool readable;   ///< has a get form
 };
 inline constexpr std::array<SetupFact, 13> setup_facts{{
-    {"MmM", 0, 6, 0, false, true},         // motor type, 70 % jog power
-    {"MAmM", 0, 6, 0, false, false},       // motor type, full jog power; read back by getMmM
-    {"B", 9, 38, 9, false, false},         // line rate: 9, 19 or 38
-    {"DM", 0, 255, 1, false, true},        // mode bits below
-    {"DA", 20, 100, 40, false, true},      // joystick dead zone
-    {"jmM", 1, 6000, 2000, true, true},    // first jog speed
-    {"JmM", 40, 6000, 2000, false, true},  // second jog speed
-    {"jAmM", 1, 24, 0, true, true},        // first joystick range
-    {"JAmM", 1, 24, 0, true, true},        // second joystick range
-    {"LmM", -2, 2, 0, false, true},        // limit switch mode
-    {"PmM", 1, 32767, 0, true, true},      // steps from pulse to pulse
-    {"PA", 1, 255, 1, false, true},        // pulse width in 10 microseconds
-    {"I", 0, 255, 7, false, true},         // input mode bits below
+    {"MmM", 0, max_motor_type, 0, false, true},        // motor type, 70 % jog power
+    {"MAmM", 0, max_motor_type, 0, false, false},      // motor type, full jog power; read back by getMmM
+    {"B", 9, 38, 9, false, false},                     // line rate: 9, 19 or 38
+    {"DM", 0, 255, 1, false, true},                    // mode bits below
+    {"DA", 20, 100, 40, false, true},                  // joystick dead zone
+    {"jmM", min_speed, max_speed, 2000, true, true},   // first jog speed
+    {"JmM", min_jog_2, max_speed, 2000, false, true},  // second jog speed
+    {"jAmM", 1, max_joystick_range, 0, true, true},    // first joystick range
+    {"JAmM", 1, max_joystick_range, 0, true, true},    // second joystick range
+    {"LmM", -2, 2, 0, false, true},                    // limit switch mode
+    {"PmM", 1, max_pulse_every, 0, true, true},        // steps from pulse to pulse
+    {"PA", 1, 255, 1, false, true},                    // pulse width in 10 microseconds
+    {"I", 0, 255, 7, false, true},                     // input mode bits below
 }};
 inline constexpr int max_backlash = 255, backlash_of_one = 20;  ///< B1 means 20 steps (App. F p.45)
 inline constexpr int limit_ends_program = 2;                    ///< bit of O

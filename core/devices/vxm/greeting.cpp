@@ -12,7 +12,7 @@ namespace hw::vxm {
 
 Greeting read_greeting(std::string_view bytes) {
   Greeting g;
-  // V and the state at the end suffice, whatever was echoed before.
+  // V and the state at the end suffice, whatever the controller echoed before.
   if (bytes.size() > 2 && bytes[bytes.size() - 2] == 'V') bytes.remove_prefix(bytes.size() - 2);
   while (!bytes.empty()) {
     const char first = bytes.front();
@@ -32,10 +32,10 @@ Greeting read_greeting(std::string_view bytes) {
 }
 
 tl::unexpected<Fault> no_greeting(int rate) {
-  std::string what = "Nothing answers to V, the VXM's question for its state";
+  std::string what = "Nothing answers V, the VXM's status query";
   what += rate > 0 ? fmt::format(", at {} baud.", rate) : ".";
   return fail(
-      FaultKind::no_answer, std::move(what), "Nothing else was sent but a carriage return.",
+      FaultKind::no_answer, std::move(what), "Only V and a carriage return were sent.",
       fmt::format("Check that the controller is switched on (green lamp), the cable, and the baud rate: {}. "
                   "If both lamps flash fast, the controller is in an error state and takes only K: send K. "
                   "If On-Line flashes alone, switch it off and on.",

@@ -19,13 +19,13 @@ class Hold {
   }
   void was_toggled() { was_switched(!on_); }
   void doubt() { doubtful_ = true; }
-  /// The last H may not have arrived.
+  /// The wire was lost: the last H may not have arrived.
   void wire_lost() { doubtful_ = doubtful_ || (on_ && !shown_); }
   /// K or a restart: nothing is held.
   void ended() { *this = Hold(); }
 
   // ---- reports and behaviour of the controller
-  /// The controller lists the command before which it holds.
+  /// The controller has listed the command before which it holds.
   void showed() {
     on_ = shown_ = true;
     doubtful_ = found_running_ = false;

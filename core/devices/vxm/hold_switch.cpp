@@ -20,7 +20,7 @@ Task<Result<>> HoldSwitch::transmit(std::string text, bool on, Priority priority
   co_return sent;
 }
 
-// Another H would switch on a hold that has ended. K ends it in either case, and is answered.
+// Another H would switch on a hold that has ended. K ends the hold in either case, and is answered.
 Task<Result<>> HoldSwitch::settle() {
   if (!hold_.is_doubtful()) co_return Result<>();
   auto settled = co_await kills_.kill(true, Priority::intent);

@@ -7,7 +7,7 @@
 namespace hw::vxm {
 namespace {
 
-/// Of a version like 1.30; a version printed otherwise is not an old one.
+/// The hundredths of a version like 1.30. A version in another form counts as a new one.
 int hundredths(std::string_view version) {
   if (version.size() != 4 || version[1] != '.') return newest_firmware;
   int sum = 0;
@@ -35,7 +35,8 @@ Task<Result<>> Identification::read() {
   for (int i = 0; i < axes; ++i) {
     console_.snapshot.axes[i].enabled = i < motors_per_controller || has_slave_;
     console_.snapshot.axes[i].own_speed =
-        console_.catalog.jog_speed;  // it has none: each motion of the console sets one
+        console_.catalog
+            .jog_speed;  // the controller has no such setting: each jog of the console sets the speed
   }
   if (axes > motors_per_controller && !has_slave_)
     console_.report(Notice::Kind::warning,

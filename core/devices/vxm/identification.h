@@ -12,6 +12,8 @@ inline constexpr std::string_view unused_slave =
     "A second controller answers on the VXM bus, and its motors 3 and 4 are not shown. Open it with motors=4 "
     "in its address to use them.";
 
+inline constexpr const char* check_slave = "Check the Slave's power and cable, then reconnect.";
+
 class Identification {
  public:
   Identification(const Console& console, Conversation& conversation)
@@ -27,8 +29,8 @@ class Identification {
   [[nodiscard]] bool reports_pulses() const { return reports_pulses_; }
   /// $ was not answered. The version, if read, may have been misread; else it may be an old one.
   void doubt_outputs() { reports_outputs_ = std::exchange(read_, false); }
-  /// Ends questions about the Slave's motors, each of which would restart the controller. The identity, read
-  /// again after the restart, tells whether a Slave answers.
+  /// Ends all questions about the Slave's motors, as each of them would restart the controller. The identity,
+  /// read again after the restart, tells whether a Slave answers.
   void lose_slave();
 
  private:

@@ -47,7 +47,7 @@ class Job {
 
   // ---- the leg under way
   void leg_begins() { leg_over_ = limit_reported_ = false; }
-  /// Prompt seen or missed; positions still to be read.
+  /// The prompt was received or missed; the positions still have to be read.
   void leg_is_over() { leg_over_ = true; }
   [[nodiscard]] bool is_leg_over() const { return leg_over_; }
   void report_limit() { limit_reported_ = true; }
@@ -65,11 +65,11 @@ class Job {
   [[nodiscard]] bool was_cut_whole() const { return cut_whole_; }
 
   // ---- later legs
-  /// Drops them all.
+  /// Drops all later legs.
   void drop_rest();
-  /// Drops those of this axis; -1: of any. Returns them.
+  /// Drops the later legs of this axis; -1: of any axis. Returns them.
   std::vector<Leg> drop_later_legs(int axis);
-  /// Goes on to the next leg if this one has arrived. `again`: appended as the last.
+  /// Continues with the next leg if this leg has reached its target. `again` is appended as the last leg.
   void go_on(EndedBy ended_by, std::optional<Leg> again);
 
  private:

@@ -18,7 +18,8 @@ class Knowledge {
   Task<Result<>> catch_up();
   /// Has everything read again.
   void doubt();
-  /// It may have restarted: everything is read again, but the console still removes its traces from it.
+  /// The controller may have restarted: everything is read again, but the console still removes its own
+  /// program from it.
   void may_be_of_before();
   /// The controller has restarted: everything not stored is gone.
   void forget();

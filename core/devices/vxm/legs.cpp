@@ -66,7 +66,7 @@ Task<Result<>> Legs::start_leg() {
     if (axis >= 0 && leg.pace.speed > 0) speeds_.speed.borrow(axis);
     if (axis >= 0 && leg.pace.acceleration > 0) speeds_.acceleration.borrow(axis);
   }
-  const bool held = hold_.is_on();  // else the leg would be held before its first command
+  const bool held = hold_.is_on();  // to be switched off: the leg would be held before its first command
   hold_.was_switched(false);
   show_leg(leg);
   auto sent = co_await conversation_.transmit(held ? "HR" : "R", Priority::intent);
@@ -136,7 +136,7 @@ Task<Result<>> Legs::end_leg(Priority priority) {
   if (read) read = co_await positions_.read(priority, true);
   if (read && moved && !signals_.confirm()) read = co_await signals_.read("?", priority);
   if (!read) co_return read;
-  const EndedBy ended_by = how_it_ended(leg);
+  const EndedBy ended_by = end_of_leg(leg);
   const bool cut_off = ended_by == EndedBy::abort || ended_by == EndedBy::error || ended_by == EndedBy::lost;
   for (const int axis : {leg.axis, leg.second_axis})
     if (axis >= 0 && !cut_off) speeds_.speed.give_back(axis), speeds_.acceleration.give_back(axis);
@@ -148,7 +148,7 @@ Task<Result<>> Legs::end_leg(Priority priority) {
   co_return Result<>();
 }
 
-EndedBy Legs::how_it_ended(const Leg& leg) const {
+EndedBy Legs::end_of_leg(const Leg& leg) const {
   const bool arrived =
       leg.axis >= 0 && leg.target && console_.snapshot.axes[leg.axis].position == *leg.target;
   if (under_way_.job().ended_by() == EndedBy::stop && under_way_.job().was_cut_whole() && arrived)
@@ -158,7 +158,7 @@ EndedBy Legs::how_it_ended(const Leg& leg) const {
   const AxisState& axis = console_.snapshot.axes[leg.axis];
   const bool at_limit =
       (axis.direction > 0 ? axis.limit_plus : axis.limit_minus) || under_way_.job().limit_was_reported();
-  // Another host may have stopped it halfway: there the count must not become zero.
+  // Another host may have stopped the search halfway, where the count must not become zero.
   if (leg.to_switch) return at_limit || !axis.limits_known ? EndedBy::target : EndedBy::elsewhere;
   if (leg.activity == Activity::homing || !leg.target || axis.position == *leg.target) return EndedBy::target;
   return at_limit ? EndedBy::limit : EndedBy::elsewhere;
@@ -200,7 +200,8 @@ std::optional<Leg> Legs::next_jog_leg(const Leg& last, EndedBy ended_by) const {
   return leg;
 }
 
-// A move that was not stopped keeps its program, however long it takes.
+// Whether the console's program is removed. A move that was not stopped keeps it, however long the move
+// takes.
 bool Legs::clears_up() const {
   const bool ends = !under_way_.busy() || ramp_.is_expected() || under_way_.job().is_leg_over() ||
                     under_way_.job().ended_by() != EndedBy::nothing;
@@ -223,8 +224,8 @@ std::string Legs::program_left_behind() const {
   if (presence_.reset_was_sent() || (!scratch_.in_use() && slots_.selection_is_given_back())) return {};
   if (!scratch_.in_use())
     return fmt::format(
-        "Send PM{} to select your program: one that the console used is still selected, and the Run button "
-        "would start it.",
+        "Send PM{} to select your program: a program that the console used is still selected, and the Run "
+        "button would start it.",
         std::max(slots_.selected(), 0));
   return fmt::format(
       "{}program {} of the controller still holds {}: the Run button would repeat it. Send {} when the move "
@@ -255,7 +256,7 @@ Task<Result<>> Legs::run_quickly(Leg leg) {
 
 Result<> Legs::cut_short() const {
   if (!conversation_.station() || !conversation_.station()->preempted()) return {};
-  return fail(FaultKind::stopped, "A stop came while this was under way.", "It was sent.");
+  return fail(FaultKind::stopped, "A stop came while this command was under way.", "The command was sent.");
 }
 
 Task<Result<>> Legs::restore_speeds() {

@@ -44,8 +44,8 @@ class Legs {
   Task<Result<>> begin(Job job);
   /// Runs a leg that is over at once, and waits for its end.
   Task<Result<>> run_quickly(Leg leg);
-  /// Does the work that is due before anything else: takes off a hold left on, starts the leg after one that
-  /// is over, and removes the console's program from the controller when nothing runs.
+  /// Does the work that is due before anything else: switches off a hold that was left on, starts the leg
+  /// after one that is over, and removes the console's program from the controller when nothing runs.
   Task<Result<>> settle();
   /// Reads where the leg ended.
   Task<Result<>> end_leg(Priority priority);
@@ -64,7 +64,7 @@ class Legs {
   Result<> never_begun(const Result<>& why);
   [[nodiscard]] Result<> cut_short() const;
   [[nodiscard]] std::string leg_program(const Leg& leg) const;
-  [[nodiscard]] EndedBy how_it_ended(const Leg& leg) const;
+  [[nodiscard]] EndedBy end_of_leg(const Leg& leg) const;
   [[nodiscard]] std::string program_left_behind() const;
   [[nodiscard]] double ramp_of(const Leg& leg, int axis) const;
   void show_leg_ended(const Leg& leg, EndedBy ended_by);

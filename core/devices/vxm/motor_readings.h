@@ -22,8 +22,8 @@ class MotorReadings {
   struct Change {
     bool moved = false;
     bool begun = false;     ///< from a standstill
-    bool reversed = false;  ///< it went the other way before
-    Instant since{};        ///< all of that is later: the previous reading was asked for then
+    bool reversed = false;  ///< the motor turned the other way before
+    Instant since{};        ///< when the previous reading was asked for: the change came later
   };
 
   explicit MotorReadings(const Scheduler& scheduler) : scheduler_(scheduler) {}
@@ -45,7 +45,8 @@ class MotorReadings {
     if (change.moved) seen.crept = stood && one_more;
     change.reversed = change.moved && seen.went && seen.went != sign;
     if (change.moved) seen.went = sign;
-    if (change.moved || !before.position_known) seen.moved_at = at;  // seen only once, the motor may turn
+    if (change.moved || !before.position_known)
+      seen.moved_at = at;  // after a single reading, the motor may be turning
     return change;
   }
   /// A stored program begins: earlier motions were not its own.
@@ -57,7 +58,7 @@ class MotorReadings {
   [[nodiscard]] bool has_turned_within(Duration time, int motor) const {
     return scheduler_.now() - moved_at(motor) < time;
   }
-  /// Read, and unmoved for `to_see_standstill` since `then`.
+  /// Whether the motor has been read and has not moved for `to_see_standstill` since `then`.
   [[nodiscard]] bool has_stood_since(Instant then, int motor) const {
     const Seen& seen = seen_[ix(motor)];
     return seen.read_at - std::max(seen.moved_at, then) >= to_see_standstill;

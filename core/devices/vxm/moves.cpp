@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "core/device/homing.h"
 #include "core/device/target_check.h"
 #include "core/devices/vxm/catalog.h"
 #include "core/devices/vxm/codec.h"
@@ -13,7 +14,7 @@
 namespace hw::vxm {
 namespace {
 
-constexpr int off_switch_steps = 4000;  // back off a home switch before the second approach (App. N p.67)
+constexpr int off_switch_steps = 4000;  // way off a home switch before the second approach (App. N p.67)
 constexpr int homing_speed = hard_stop_safe_speed;  // the manual's limit for reliable homing (p.27)
 
 bool on_slave(int axis) { return axis >= motors_per_controller; }
@@ -133,9 +134,7 @@ Task<Result<>> Moves::jog(const intent::JogStart& request) {
 Task<Result<>> Moves::home(const intent::Home& request) {
   const int axis = request.axis.index;
   if (auto may = admission_.may_move(axis); !may) co_return may;
-  if (request.mode < 0 || request.mode >= static_cast<int>(console_.catalog.homing_modes.size()))
-    co_return fail(FaultKind::refused, fmt::format("There is no homing mode number {}.", request.mode),
-                   "Nothing was sent.");
+  if (auto may = check_home(console_.catalog, request); !may) co_return may;
   if (parameters_.value("DM").value_or(0) & mode_nf90 && request.sign == Sign::plus)
     co_return fail(FaultKind::refused,
                    fmt::format("In NF90 emulation I{}M0 runs to zero, not to the + limit switch.", axis + 1),
@@ -204,7 +203,7 @@ Task<Result<>> Moves::set_position(const intent::SetPosition& request) {
       co_return fail(FaultKind::controller,
                      fmt::format("Motor {} was set to zero, but the controller reports {}.", i + 1,
                                  console_.snapshot.axes[i].position.value),
-                     "Its position is as before.", "Check whether the Stop button is held, then try again.");
+                     "Its position is unchanged.", "Check whether the Stop button is held, then try again.");
   co_return Result<>();
 }
 
@@ -227,7 +226,7 @@ Task<Result<>> Moves::set_output(const intent::SetOutput& request) {
   co_return fail(FaultKind::controller,
                  fmt::format("Output {} was switched {}, but the controller reports {}.", request.number,
                              request.on ? "on" : "off", is_on ? "on" : "off"),
-                 "It was requested once.", "Check whether the Stop button is held, then try again.");
+                 "It was sent once.", "Check whether the Stop button is held, then try again.");
 }
 
 }  // namespace hw::vxm

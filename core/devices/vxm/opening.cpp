@@ -12,7 +12,7 @@ constexpr int greetings = 4, silences_until_absent = 2;
 }  // namespace
 
 // Sends V alone first: it moves nothing in any mode. A carriage return then ends an unfinished command.
-// Replies to that command, or garbage on a freshly opened line, are let pass.
+// Replies to that command, or garbage on a freshly opened line, are ignored.
 Task<Result<std::string>> Opening::ask_for_greeting() {
   std::string bytes;
   int silences = 0;
@@ -51,9 +51,10 @@ Task<Result<>> Opening::greet() {
   conversation_.set_echoes(greeting.echo);
   if (greeting.state == jog_idle || greeting.state == jog_moving)
     co_return co_await found_local(greeting.state);
-  if (presence_.is_halted()) under_way_.killed(EndedBy::error);  // it accepts commands again
+  if (presence_.is_halted())
+    under_way_.killed(EndedBy::error);  // the error is over: the controller accepts commands again
   presence_.seen_on_line();
-  // F ends echo and carriage returns after prompts, whoever asked for them.
+  // F ends the echo and the carriage returns after prompts, also if another host switched them on.
   auto sent = co_await conversation_.transmit_anyway("F");
   if (!sent) co_return sent;
   auto state = co_await conversation_.state(Priority::intent);
@@ -92,7 +93,7 @@ Task<Result<>> Opening::resume_after_loss(char state) {
   if (state == ready && under_way_.job().active())
     under_way_.job().leg_is_over(), under_way_.job().ends_by(EndedBy::lost);
   if (state == vxm::busy && !under_way_.job().active()) {
-    const bool others = !under_way_.program_runs() || !hold_.is_known();  // also when it is lost once more
+    const bool others = !under_way_.program_runs() || !hold_.is_known();  // kept for another loss of the wire
     under_way_.program_begins(-1);
     if (others) hold_.found_running();
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Gets a controller found on a new wire to listen.
+// Brings a controller found on a new wire to a state in which it accepts commands.
 #include <string>
 
 #include "core/devices/vxm/console.h"

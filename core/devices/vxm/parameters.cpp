@@ -15,8 +15,12 @@ namespace hw::vxm {
 namespace {
 
 constexpr Duration rate_change_pause = Millis(50);
-constexpr int values_at_once = 4;  // read in the gaps
-constexpr int tries_at_one = 3;    // for a value that is not answered
+constexpr int values_at_once = 4;  // values read between two requests
+constexpr int tries_at_one = 3;    // attempts for a value that is not answered
+
+tl::unexpected<Fault> lost_meanwhile() {
+  return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+}
 
 int baud_rate(std::int64_t number) {
   for (const Baud& b : bauds)
@@ -84,8 +88,9 @@ Task<Result<>> Parameters::read_some() {
         !console_.catalog.params[static_cast<std::size_t>(next_)].readable)
       continue;
     auto done = co_await read_one(next_, Priority::poll);
-    if (!done && ++in_vain_ < tries_at_one) co_return done;  // else its firmware does not know it
-    in_vain_ = 0;
+    if (!done && ++failed_reads_ < tries_at_one)
+      co_return done;  // after the last attempt: the firmware does not know the value
+    failed_reads_ = 0;
     ++read;
   }
   co_return Result<>();
@@ -102,7 +107,7 @@ void Parameters::was_set(std::string_view mnemonic) {
 
 void Parameters::forget() {
   essentials_read_ = false;
-  next_ = in_vain_ = 0;
+  next_ = failed_reads_ = 0;
   set_up_is_unknown(console_.snapshot);
 }
 
@@ -110,7 +115,7 @@ Result<> Parameters::may_set(const ParamInfo& info) const {
   if (!reachable(info))
     return fail(FaultKind::refused,
                 fmt::format("{} needs a second controller, and none answers on the VXM bus.", info.mnemonic),
-                "Nothing was sent.", "Check the Slave's power and cable, then reconnect.");
+                "Nothing was sent.", check_slave);
   return may_change_();
 }
 
@@ -140,7 +145,8 @@ Task<Result<>> Parameters::set(const intent::SetParam& request) {
   co_return fail(FaultKind::controller,
                  fmt::format("{} was set to {}, but the controller reports {}.", info.mnemonic, request.value,
                              state.value),
-                 "It was sent once.", "Read the set-up again: the controller's number is in force.");
+                 "It was sent once.",
+                 "Read the set-up again: the value that the controller reports is in force.");
 }
 
 // The controller changes its rate after the ender; then both sides must agree, or go back. A stop in between
@@ -153,13 +159,11 @@ Task<Result<>> Parameters::set_baud(std::int64_t number) {
 }
 
 Task<Result<>> Parameters::follow_rate(std::int64_t number) {
-  if (!conversation_.station())
-    co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+  if (!conversation_.station()) co_return lost_meanwhile();
   const int before = conversation_.station()->rate(), wanted = baud_rate(number);
   auto waited =
       co_await conversation_.station()->pause(conversation_.station()->wire_time(10) + rate_change_pause);
-  if (!waited || !conversation_.station())
-    co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+  if (!waited || !conversation_.station()) co_return lost_meanwhile();
   auto changed = conversation_.station()->set_rate(wanted);
   if (changed) {
     auto state = co_await conversation_.state(Priority::intent);
@@ -170,8 +174,7 @@ Task<Result<>> Parameters::follow_rate(std::int64_t number) {
       co_return Result<>();
     }
   }
-  if (!conversation_.station())
-    co_return fail(FaultKind::lost, "The connection was lost while the baud rate changed.");
+  if (!conversation_.station()) co_return lost_meanwhile();
   if (before > 0) (void)conversation_.station()->set_rate(before);
   auto state = co_await conversation_.state(Priority::intent);
   co_return fail(
@@ -199,10 +202,11 @@ Task<Result<>> Parameters::store() {
   if (!reply && reply.error().kind == FaultKind::no_answer)
     co_return fail(
         FaultKind::no_answer,
-        fmt::format("The controller did not confirm within {:.0f} s that it has stored.",
+        fmt::format("The controller did not confirm within {:.0f} s that it has stored the set-up.",
                     seconds(store_patience)),
         "rsm was sent once and is not repeated: the memory is rated for a limited number of writes.",
-        "Do not switch the controller off now. Ask for its state, and compare before you store again.");
+        "Do not switch the controller off now. Ask for its state, and compare the set-up before you store "
+        "again.");
   if (!reply) co_return fail(reply.error());
   was_stored();
   if (console_.snapshot.store_count >= 0) {

@@ -25,19 +25,19 @@ class Parameters {
   /// The values that the driver needs before any motion.
   [[nodiscard]] bool knows_essentials() const { return essentials_read_; }
   Task<Result<>> read_essentials();
-  /// Reads a few of the unknown values, in the gaps.
+  /// Reads a few of the unknown values between two requests.
   Task<Result<>> read_some();
   Task<Result<>> read_all();
 
   Task<Result<>> set(const intent::SetParam& request);
   Task<Result<>> store();
 
-  /// Set by a text of the user.
+  /// The user's text has set the value.
   void was_set(std::string_view mnemonic);
   /// The controller was just sent this rate number: the wire switches to that rate, or back.
   Task<Result<>> follow_rate(std::int64_t number);
-  /// Found at this rate; 0: the wire has none. The controller may have been switched off before its rate was
-  /// stored.
+  /// The controller was found at this rate; 0: the wire has no rate. The controller may have been switched
+  /// off before its rate was stored.
   void found_at(int rate);
   void was_stored();
   void doubt_essentials() { essentials_read_ = false; }
@@ -56,7 +56,7 @@ class Parameters {
   std::function<Result<>()> may_change_;
   bool essentials_read_ = false;
   int next_ = 0;
-  int in_vain_ = 0;  ///< failed attempts to read that value
+  int failed_reads_ = 0;  ///< failed attempts to read that value
 };
 
 }  // namespace hw::vxm

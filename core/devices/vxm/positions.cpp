@@ -30,7 +30,7 @@ void Positions::show(int index, Steps position) {
   if (program_runs && !moves) {  // motions of a program show in positions only
     constexpr Duration seems_moving = Millis(150);
     const bool turns = readings_.has_turned_within(seems_moving, index);
-    axis.ramp = 0;  // of the program's own speeds nothing is known
+    axis.ramp = 0;  // the program's own speeds are unknown
     if (change.moved) axis.direction = static_cast<std::int8_t>(position > axis.position ? 1 : -1);
     if (!turns) axis.direction = 0;
     axis.activity = !turns ? Activity::idle : ramp_.is_expected() ? Activity::stopping : Activity::moving;
@@ -42,10 +42,10 @@ void Positions::show(int index, Steps position) {
   axis.position = position;
   axis.position_known = true;
   axis.seen_at = conversation_.asked_at();  // the answer may have come late
-  signals_.forget_what_is_doubted();
+  signals_.forget_doubtful();
 }
 
-/// No held program begins a motion.
+/// A program begins a motion, so no hold is on.
 void Positions::program_has_begun_a_way(const MotorReadings::Change& way) {
   hold_.something_begins();
   if (way.reversed) ramp_.saw_one_turn_round(way.since);

@@ -38,10 +38,10 @@ class Presence {
     stay_local_ = false;
     mode_ = Mode::on_line;
   }
-  /// On-line is wanted, whatever the present mode.
+  /// The controller is to be on-line, whatever its present mode.
   void wants_on_line() { stay_local_ = false; }
-  /// yes: F ended Local mode before that could be counted as a restart. perhaps: the mode is unknown. In a
-  /// controller never found before, Local mode is no sign of a restart.
+  /// yes: F ended Local mode before that could be counted as a restart. perhaps: the mode is unknown. For a
+  /// controller that was never found before, Local mode is no sign of a restart.
   enum class LeftLocal : std::uint8_t { no, perhaps, yes };
   void left_local(LeftLocal left) {
     if (found_before_) left_local_ = std::max(left_local_, left);
@@ -51,7 +51,7 @@ class Presence {
   // ---- found before, and restarted since
   [[nodiscard]] bool was_found_before() const { return found_before_; }
   void is_found() { found_before_ = true; }
-  /// And not seen on-line since.
+  /// The restart was counted, and the controller not seen on-line since.
   [[nodiscard]] bool restart_is_counted() const { return restart_counted_; }
   void count_restart() {
     restart_counted_ = true;

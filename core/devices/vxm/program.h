@@ -74,7 +74,7 @@ class Program {
   [[nodiscard]] const Command& operator[](int i) const { return commands_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const std::vector<Command>& commands() const { return commands_; }
 
-  /// False: does not fit, and is not stored.
+  /// False: the command does not fit, and is not stored.
   bool add(const Command& command);
   void remove_last();
   void clear();

@@ -54,8 +54,8 @@ class Walk {
   }
 
  private:
-  /// A text may make the controller the Master of a Slave, or forget to: a rehearsal has the Slave that its
-  /// motors need.
+  /// A text may set the controller as the Master of a Slave, or omit that: a rehearsal has a Slave if its
+  /// motors need one.
   void put_modes() {
     const int master = out_.motors > motors_per_controller ? mode_master : 0;
     for (auto mode = modes_.rbegin(); mode != modes_.rend(); ++mode)
@@ -71,7 +71,7 @@ class Walk {
            "A remark after R is read as commands by the running program. Put it on another line.");
   }
   /// The reader ends the last command of a line at the return, behind the remark. For the user (and for a
-  /// fix) it ends with its last character.
+  /// fix) the command ends with its last character.
   void keep_before(int remark) {
     const auto end_of = [&](int begin, int end) {
       end = std::min(end, remark);
@@ -141,7 +141,7 @@ class Walk {
     return true;
   }
 
-  /// One problem for each stretch between enders: text after nonsense is nonsense too.
+  /// One problem for each stretch between enders: text after a mistake is unintelligible too.
   void nonsense(const Reading& r, bool number_missing) {
     Place p = place_of(r);
     if (chunk_bad_) return;
@@ -170,7 +170,7 @@ class Walk {
       case 'R':
         ran_ = true;
         if (out_.run_slot >= 0)
-          warn(p, "This is not the first R of the text. A dry run makes one run only, that of the last R.");
+          warn(p, "This is not the first R of the text. A rehearsal makes only one run, that of the last R.");
         out_.run_slot = slot_;
         return;
       case 'C':
@@ -270,7 +270,7 @@ class Walk {
       out_.script += listing_of(*command) + ",";
       return add(*command, p, bytes_of(*command));
     }
-    if (!is_index(command->op)) return error(p, "Only indexes may stand between ( and ).");
+    if (!is_index(command->op)) return error(p, "Only indexes are allowed between ( and ).");
     group_->parts.push_back(*command);
     report_->cost += bytes_of(*command);
   }

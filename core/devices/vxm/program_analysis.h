@@ -24,7 +24,7 @@ struct Analysis {
   ProgramReport report;
   std::map<int, std::vector<StoredCommand>> programs;  ///< by slot
   bool has_headings = false;
-  int motors = 0;      ///< the highest that is mentioned; a Slave's inputs count as 3
+  int motors = 0;      ///< the highest motor that is used; a Slave's inputs count as motor 3
   std::string script;  ///< bytes to send to load the text into an on-line controller
   int run_slot = -1;   ///< the program run by the last R; -1: no R
   int last_slot = 0;   ///< the program selected at the end
@@ -35,11 +35,11 @@ struct Analysis {
 /// Appends the problems of whole programs to the report (program_checks.cpp).
 void check_programs(Analysis& analysis);
 
-/// Why a word means nothing, with a fix where there is one (program_problems.cpp). `text` is the word as
+/// Why a word is not understood, with a fix where there is one (program_problems.cpp). `text` is the word as
 /// typed.
 [[nodiscard]] Problem problem_of(const Reading& word, const Refusal& refusal, std::string_view text,
                                  const Place& place, int current_motor);
-/// Whether the controller takes the number of a set command, B, O or PMA; and the problem if not.
+/// Whether the controller accepts the number of a set command, B, O or PMA. problem_of() names the problem.
 [[nodiscard]] bool may_be_set(const Reading& word);
 [[nodiscard]] Problem problem_of_setting(const Reading& word, std::string_view text, const Place& place);
 /// The problem of a text that is no command.

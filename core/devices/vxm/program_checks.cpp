@@ -115,9 +115,8 @@ class Checks {
     const bool output = c.op == Op::user && (u == 4 || u == 5 || (u >= 14 && u <= 19));
     if (!speed && !flow && !output)
       report(true, s,
-             listing_of(c) + " cannot stand between " + start +
-                 " and U9: only indexes, speeds, loops, jumps "
-                 "and outputs can.");
+             listing_of(c) + " is not allowed between " + start +
+                 " and U9: only indexes, speeds, loops, jumps and outputs are.");
   }
 
   void homing() {

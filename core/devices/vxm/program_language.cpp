@@ -27,9 +27,9 @@ class VxmLanguage final : public Language, public PartialWriter, public Settings
                                            const Catalog& catalog) const override {
     return write_sequence(sequence, catalog);
   }
-  [[nodiscard]] Result<SequenceText> write_what_can_be(const sequence::Sequence& sequence,
-                                                       const Catalog& catalog,
-                                                       std::vector<RefusedStep>& refused) const override {
+  [[nodiscard]] Result<SequenceText> write_with_gaps(const sequence::Sequence& sequence,
+                                                     const Catalog& catalog,
+                                                     std::vector<RefusedStep>& refused) const override {
     return write_sequence(sequence, catalog, &refused);
   }
   [[nodiscard]] Result<SequenceRead> read(std::string_view text, const sequence::Sequence& frame,

@@ -38,7 +38,7 @@ std::string complaint(const Reading& w, std::int64_t value, const std::string& v
     case Head::A:
       return v + (value > r.max ? " is too steep a ramp for motor " : " is not a ramp for motor ") +
              number(motor) + ".";
-    case Head::I: return v + " steps are too far for one index of motor " + number(motor) + ".";
+    case Head::I: return v + " steps are too many for one index of motor " + number(motor) + ".";
     case Head::IA: return v + " lies beyond the position register of motor " + number(motor) + ".";
     case Head::L:
     case Head::LA: return v + " passes are not a loop.";
@@ -73,13 +73,13 @@ Problem range_problem(const Reading& w, const Refusal& r, std::string_view text,
   const bool by_sign = r.min < 0;  // forms where the sign is part of the value
   const std::int64_t value = w.minus && by_sign ? -w.value : w.value;
   const Place where = place_of_value(text, p);
-  // Beyond the digits that are read, the value says less than the typed text.
+  // With more digits than the reader keeps, the typed text is shown instead of the value.
   constexpr int most_digits = 9;
   const std::string typed(text.substr(text.size() - static_cast<std::size_t>(where.length)));
   const std::string number_shown = where.length > most_digits ? typed : number(value);
   Problem problem =
       at(where, complaint(w, value, number_shown, r, motor) + " " + range_sentence(w, r, motor));
-  if (w.head == Head::J || w.head == Head::JM) return problem;  // the program meant cannot be guessed
+  if (w.head == Head::J || w.head == Head::JM) return problem;  // the intended program cannot be guessed
   const std::int64_t nearest = std::clamp(value, r.min, r.max);
   problem.fix_text = (w.minus && !by_sign && w.head != Head::A ? "-" : "") + number(nearest);
   problem.fix_label = "Use " + problem.fix_text;
@@ -92,7 +92,7 @@ std::string u_sentence(std::int64_t u) {
   if (std::find(older.begin(), older.end(), u) != older.end())
     return name + " belongs to the VP9000. A VXM does not know it.";
   if (u > slave_u_offset && u < 2 * slave_u_offset)
-    return name + " is none of the commands that a Slave carries out for its Master.";
+    return name + " is not among the commands that a Slave carries out for its Master.";
   return "A VXM knows no " + name + ".";
 }
 

@@ -18,7 +18,7 @@
 namespace hw::vxm {
 namespace {
 
-constexpr int most_breaths = 100'000;  // in a row, a millisecond each
+constexpr int most_yields = 100'000;  // in a row, a millisecond each
 
 std::string error_sentence(char letter) {
   const std::string name = std::string("E") + letter + ": ";
@@ -27,7 +27,7 @@ std::string error_sentence(char letter) {
     case error_loops: return name + "more than ten loops were open at once.";
     case error_jumps: return name + "more than four JM jumps were open at once.";
     case error_nonstop:
-      return name + "nonstop indexing met a command that may not stand there, another motor or no U9.";
+      return name + "nonstop indexing met a command that is not allowed there, another motor, or no U9.";
     default: return name + "the controller stopped with an error.";
   }
 }
@@ -57,7 +57,7 @@ class Rehearsing {
         watch_(analysis) {}
 
   Result<> set_bench() { return BenchSchedule::act(options_.bench, emulator_); }
-  Result<> set_bench(const BenchFile& bench) { return hands_.begin(bench, emulator_); }
+  Result<> set_bench(const BenchFile& bench) { return bench_schedule_.begin(bench, emulator_); }
 
   Rehearsal run() {
     Box& box = emulator_.box();
@@ -120,7 +120,7 @@ class Rehearsing {
     Box& box = emulator_.box();
     const Instant last = Instant(from_seconds(std::clamp(options_.for_seconds, 0.0, 1e9)));
     collect();
-    int breaths = 0;
+    int yields = 0;
     while (box.running()) {
       if (box.run().doing == Doing::for_host) {
         event(now_, "the host answers W with G", -1, -1);
@@ -130,16 +130,16 @@ class Rehearsing {
         continue;
       }
       std::optional<Instant> next = emulator_.next_event();
-      const auto hand = hands_.next();
+      const auto hand = bench_schedule_.next();
       for (const auto& other : {hand, track_.next()})
         if (other && (!next || *other < *next)) next = other;
-      // A loop that takes no time would only burn the rest of it.
-      const bool empty_loop = box.run().doing == Doing::breathing && !hand;
-      breaths = empty_loop ? breaths + 1 : 0;
-      if (!next || *next > last || breaths > most_breaths) return out_of_time(last);
+      // A loop that takes no time would only use up the rest of the time.
+      const bool empty_loop = box.run().doing == Doing::yielding && !hand;
+      yields = empty_loop ? yields + 1 : 0;
+      if (!next || *next > last || yields > most_yields) return out_of_time(last);
       now_ = std::max(now_, *next);
       emulator_.advance_to(now_);
-      hands_.act_until(now_, emulator_);
+      bench_schedule_.act_until(now_, emulator_);
       track_.look(now_);
       collect();
     }
@@ -155,12 +155,12 @@ class Rehearsing {
     const std::string program = "Program " + std::to_string(run.stack.empty() ? 0 : run.stack.back().program);
     if (run.doing == Doing::waiting)
       result_.error = program + " waits in U" + std::to_string(run.wait.u + (run.wait.on_slave ? 100 : 0)) +
-                      " for " + waited_for(run.wait) + ", and nothing operates it.";
+                      " for " + waited_for(run.wait) + ", and nothing switches it.";
     else
       result_.error = still_running(program);
     now_ = std::max(now_, last);
     result_.stops.push_back(watch_.stop(now_, result_.error));
-    if (run.doing != Doing::breathing) emulator_.advance_to(now_);
+    if (run.doing != Doing::yielding) emulator_.advance_to(now_);
     collect();
   }
 
@@ -262,7 +262,7 @@ class Rehearsing {
   const Catalog& catalog_;
   int motors_;
   VxmEmulator emulator_;
-  BenchSchedule hands_;
+  BenchSchedule bench_schedule_;
   TrackKeeper track_;
   ProgramWatch watch_;
   std::vector<Trace> trace_;

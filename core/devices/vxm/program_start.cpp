@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t couples_all_but_0 = -5;  // a number has no minus zero
 constexpr std::array<int, 11> u_waits{0, 1, 13, 23, 30, 31, 32, 33, 50, 51, 90};  // U commands, App. B
 
-/// The line rate changes no program, and the second name of a motor's type is known by the first.
+/// The line rate changes no program, and the second name of a motor's type has the same value as the first.
 bool acts_on_programs(const ParamInfo& info) { return info.readable; }
 
 std::string set_word(const ParamInfo& info, std::int64_t value) {
@@ -41,7 +41,7 @@ void store(VxmEmulator& emulator, const std::map<int, std::string>& programs,
       emulator.receive(selecting(slot) + analyse_text(text, slot).script);
 }
 
-/// Holds the lines as they are now (low is operated). Sets the analog input as last read.
+/// Keeps the inputs at their present levels (low is operated). Sets the analog input as last read.
 void hold(VxmEmulator& emulator, const Snapshot& now) {
   for (int line = 0; line < line_count; ++line) {
     const bool low = (now.inputs_known >> line & 1u) != 0 && (now.inputs >> line & 1u) == 0;

@@ -106,8 +106,9 @@ Reader::Readings Reader::feed(char c) {
   if (stage_ == Stage::skip) return out;
   if (stage_ != Stage::start) {
     if (go_on_with(c, out)) return out;
-    const bool digit_read = stage_ == Stage::head ? is_digit(text().back()) : digits_ > 0;  // setD0 has one
-    if (digit_read) {  // all up to the ender is lost (V07)
+    const bool digit_read =
+        stage_ == Stage::head ? is_digit(text().back()) : digits_ > 0;  // setD0 has a digit
+    if (digit_read) {  // all characters up to the ender are lost (V07)
       stage_ = Stage::skip;
       return out;
     }
@@ -176,7 +177,7 @@ bool Reader::take_number(char c, Readings& out) {
       return true;
     }
     if (form.motor == Part::required) {
-      digits_ = 0;  // the digit was no value yet
+      digits_ = 0;  // the digit is not part of the value
       return false;
     }
   }

@@ -27,7 +27,7 @@ enum class Head : std::uint8_t {
   PM,
   PMA,
   B,
-  O,  // act at once, or ask when nothing follows
+  O,  // act at once, or ask if no number follows
   set_M,
   set_MA,
   set_B,

@@ -16,7 +16,7 @@ bool may_lead_off(const Command& c) {
   return c.op == Op::user && (u == 11 || u == 12 || u == 21 || u == 22 || u == 13 || u == 23);
 }
 
-/// Of a program or those that it reaches. `seen`: bit per program already checked.
+/// The same for a program and the programs that it reaches. `seen`: bit per program already checked.
 bool may_lead_off(const Box& box, int program, std::uint32_t seen = 0) {
   if ((seen >> program & 1u) != 0) return false;
   seen |= 1u << program;
@@ -135,14 +135,14 @@ std::string ProgramWatch::loop_words(const Box& box) const {
   std::vector<Part> way = way_round(box);
   const bool closed = !way.empty();
   if (!closed) {
-    if (jumps && times_back_.at({loop_program_, loop_at_}) < 2) return {};  // a jump onward, no loop
+    if (jumps && times_back_.at({loop_program_, loop_at_}) < 2) return {};  // a jump forward, not a loop
     way.push_back({loop_program_, jumps ? 0 : program.loop_target(loop_at_), loop_at_});
   }
   std::sort(way.begin(), way.end(), [](const Part& a, const Part& b) { return a.program < b.program; });
   std::string where;
   for (const Part& part : way) where += (where.empty() ? "" : " and ") + part_words(part);
   return "the loop of " + where + " (" + listing_of(program[loop_at_]) + ") " +
-         (closed ? "has no end" : "was going round");
+         (closed ? "has no end" : "had not ended");
 }
 
 std::vector<RehearsedAssumption> ProgramWatch::assumptions() const {

@@ -21,7 +21,7 @@ class ProgramWatch {
   void observe(const Trace& trace, const Box& box);
   /// For a program still running at the end of the rehearsal: its loop then. Empty: none is known.
   [[nodiscard]] std::string loop_words(const Box& box) const;
-  /// True: nothing leaves that loop.
+  /// Whether no command leaves that loop.
   [[nodiscard]] bool endless(const Box& box) const;
   /// "Program 0, line 3"
   [[nodiscard]] std::string place_words() const;
@@ -32,7 +32,7 @@ class ProgramWatch {
   [[nodiscard]] std::vector<RehearsedAssumption> assumptions() const;
 
  private:
-  /// Commands of a program that a loop goes through.
+  /// Consecutive commands of a program, as a part of a loop.
   struct Part {
     int program = 0, first = 0, last = 0;
   };

@@ -20,7 +20,7 @@ void Ramp::expect() {
   state_->speed = readings_.fastest();
 }
 
-// A lost D shows by motors that lose no speed. A motor that still turns after the longest ramp is killed.
+// If the motors do not slow down, D was lost. A motor that still turns after the longest ramp is killed.
 StopProgress Ramp::watch() {
   constexpr double least_loss = min_accel * accel_unit * seconds(to_see_a_ramp) / 2;
   const Instant now = console_.scheduler.now();
@@ -55,13 +55,13 @@ void Ramp::saw_one_turn_round(Instant since) {
   if (state_ && since - state_->began > shown_by_then) state_->reversed = true;
 }
 
-// Over when held before a command, or when nothing has turned since D: a motor slower than a step in that
-// time has no ramp to speak of.
+// The stop is over when the program is held before a command, or when nothing has turned since D: a motor
+// that takes no step in that time has practically no ramp.
 StopProgress Ramp::watch_program() {
   if (!state_) return StopProgress::again();
   if (console_.snapshot.program.run == RunState::held || stands_since()) {
     state_->over = true;
-    return StopProgress::again();  // which is K, now
+    return StopProgress::again();  // the second stop is K
   }
   const StopProgress progress = watch();
   if (!goes_on(progress)) return progress;
@@ -95,7 +95,7 @@ bool Ramp::stands_since() const {
   return !some_are_hidden() || now - state_->began >= longest_ramp;
 }
 
-/// As far as the last readings show.
+/// Whether all motors stand, as far as the last readings show.
 bool Ramp::seems_to_stand() const {
   const Snapshot& snapshot = console_.snapshot;
   const int motors = std::min(snapshot.axis_count, motors_per_controller);

@@ -26,7 +26,7 @@ class Ramp {
   // ---- stop of a program
   /// Begins the stop, unless begun.
   void expect_of_program();
-  /// No motion should begin in it, as far as known.
+  /// Whether the program is held, as far as known, so that no motion should begin in it.
   [[nodiscard]] bool holds() const { return state_ && state_->holds; }
   void was_held();
   /// Another host may already hold it, and another H would release it. No motor is seen to turn; the next
@@ -34,7 +34,7 @@ class Ramp {
   [[nodiscard]] bool must_be_seen_first() const;
   /// The program is held, or its motors stand.
   [[nodiscard]] bool is_over() const { return state_ && state_->over; }
-  /// A motor has reversed, at `since` at the earliest: no held program does that.
+  /// A motor has reversed, at `since` at the earliest: the program is not held.
   void saw_one_turn_round(Instant since);
   StopProgress watch_program();
 

@@ -92,15 +92,15 @@ ReplyKind reply_kind_of(const TextCommand& c) {
   }
 }
 
-// An outstanding raw byte may be one of the four letters. Then a letter is outstanding in its place, which
-// the next position lets pass, and no raw byte is believed over it (Signals).
+// An outstanding raw byte may be one of the four letters. Then a letter is outstanding in its place. The next
+// position skips it, and no raw byte counts meanwhile (Signals).
 std::optional<Station::Unmistakable> unmistakable(const OutstandingReplies& outstanding, Instant now,
                                                   const Listening& listening, bool echoes) {
   if (listening.halted) return std::nullopt;
   const auto free = [&](ReplyKind reply_kind) { return !outstanding.may_be_outstanding(reply_kind, now); };
   if (free(reply_kind::letter) && free(reply_kind::lines))
     return question("V", ReplyShape::bytes(1), reply_kind::letter, is_state, before_state);
-  if (listening.local) return std::nullopt;  // nothing else is answered but D
+  if (listening.local) return std::nullopt;  // only V and D are answered
   if (free(reply_kind::position))
     return question("X", ReplyShape::line(), reply_kind::position, is_position, before_line<is_position>);
   const bool whole = !outstanding.torn(now);  // the end of a position looks like a number

@@ -21,7 +21,8 @@ inline constexpr ReplyKind lines{7};     ///< lst
 /// ReplyKind of the reply to this command of a raw text.
 ReplyKind reply_kind_of(const TextCommand& command);
 
-/// A question that the controller answers in this state, by a reply that looks like none outstanding.
+/// A question that the controller answers in this state, by a reply that looks like none of the outstanding
+/// ones.
 std::optional<Station::Unmistakable> unmistakable(const OutstandingReplies& outstanding, Instant now,
                                                   const Listening& listening, bool echoes);
 

@@ -16,8 +16,8 @@ namespace hw::vxm {
 [[nodiscard]] std::string number_reply(std::int64_t number);
 /// "X+0000201<cr>"
 [[nodiscard]] std::string digitize_line(char letter, std::int32_t position);
-/// `lst`: a line with number and free bytes, then each command. Analog speeds are shown as derived from
-/// `analog` now (App. I).
+/// `lst`: a line with number and free bytes, then each command. Analog speeds are shown as `analog` gives
+/// them now (App. I).
 [[nodiscard]] std::string program_listing(int number, const Program& program, int analog);
 /// One command as `lst` and the hold report print it.
 [[nodiscard]] std::string shown(const Command& command, int analog);

@@ -23,7 +23,7 @@ Task<Result<>> Restarts::found(const char* why) {
     under_way_.forget();
     auto reply = co_await conversation_.places(ReplyShape::until_quiet(greeting_quiet_ms), Priority::intent);
     if (!reply && reply.error().kind != FaultKind::no_answer)
-      co_return fail(reply.error());  // the next V finds it
+      co_return fail(reply.error());  // the next V detects the restart
     count(why, was_moving, reply ? decode_digitized(*reply, max_motors) : std::nullopt);
   }
   presence_.forget_mode();
@@ -55,7 +55,7 @@ Task<Result<>> Restarts::may_have_left_local() {
   knowledge_.may_be_of_before();
   console_.report(Notice::Kind::warning,
                   "Check where the axes are, and home them before the next absolute move: all positions read "
-                  "zero. F put the controller on-line, and answers were missing or late, so the console "
+                  "zero. F put the controller on-line, and replies were missing or late, so the console "
                   "cannot tell whether it was switched off and on.");
   co_return Result<>();
 }
@@ -97,7 +97,7 @@ Task<Result<>> Restarts::reset() {
   under_way_.drop_job();
   under_way_.run_ended(EndedBy::abort);
   forget_ram();
-  presence_.note_reset_sent();  // if this is cut short, the next V finds it
+  presence_.note_reset_sent();  // if this is cut short, the next V detects the restart
   Result<> on_line = fail(FaultKind::no_answer, "The controller does not answer after its reset.");
   for (int attempt = 0; attempt < restart_attempts && !on_line && conversation_.station(); ++attempt) {
     auto waited = co_await conversation_.station()->pause(restart_pause);

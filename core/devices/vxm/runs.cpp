@@ -12,7 +12,7 @@ namespace hw::vxm {
 
 // The controller reports no limit unless O is set for it. A motor that stands on the switch that it last
 // moved towards, and was not sent to find it, was stopped by it.
-void Runs::look_what_ended_the_run() {
+void Runs::find_end_of_run() {
   const auto slot = under_way_.take_ended_run();
   if (!slot) return;
   console_.snapshot.working = false;
@@ -39,7 +39,7 @@ bool Runs::looks_for_switches(int slot, int motor) const {
   return looks;
 }
 
-/// False: the program is known, goes into no other, and has no index of this motor.
+/// False: the program is known, calls no other, and has no index of this motor.
 bool Runs::may_turn(int slot, int motor) const {
   if (!slots_.listing(slot)) return true;
   const auto commands = commands_of(*slots_.listing(slot));
@@ -105,7 +105,7 @@ Task<Result<>> Runs::resume() {
 
 Task<Result<>> Runs::single_step() {
   ProgramState& p = console_.snapshot.program;
-  if (!under_way_.program_runs()) {  // start it held: nothing moves before the next step
+  if (!under_way_.program_runs()) {  // starts the program held: nothing moves before the next step
     if (auto may = admission_.may_run(); !may) co_return may;
     auto held = co_await hold_switch_.settle();
     if (!held) co_return held;

@@ -36,7 +36,7 @@ class Runs {
   Task<Result<>> resume();
   Task<Result<>> single_step();
   /// Call once the limits have been read after its end.
-  void look_what_ended_the_run();
+  void find_end_of_run();
 
  private:
   [[nodiscard]] bool looks_for_switches(int slot, int motor) const;

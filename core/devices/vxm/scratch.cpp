@@ -36,13 +36,12 @@ Task<Result<>> Scratch::fill(std::string commands) {
     auto held = co_await holds(commands);
     if (held && *held) co_return Result<>();
     if (!held && !worth_another_try(held.error())) co_return fail(held.error());
-    auto quiet = co_await conversation_.wait_for_quiet();  // more may come than expected
+    auto quiet = co_await conversation_.wait_for_quiet();  // more bytes may come than expected
     if (!quiet) co_return quiet;
   }
   co_return fail(FaultKind::garbled,
                  fmt::format("Program {} in the controller differs from the text that was sent.", slot_),
-                 "Nothing was run.",
-                 "Check the cable, the baud rate, and whether another program talks to the controller.");
+                 "Nothing was run.", check_line);
 }
 
 // A pair of indexes may be listed in more than one line.

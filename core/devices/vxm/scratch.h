@@ -1,6 +1,6 @@
 #pragma once
-// The program that holds a move of the console: one that M has shown empty. Afterwards it is emptied and the
-// user's selection restored, so that the Run button never repeats a move of the console.
+// The program that holds a move of the console: a program that M has shown to be empty. Afterwards it is
+// emptied and the user's selection restored, so that the Run button never repeats a move of the console.
 //
 // A lost or doubled byte makes another command, which the controller carries out silently. So nothing is
 // written before PM has confirmed the selected program, nothing runs before lst has confirmed the text, and
@@ -24,9 +24,9 @@ class Scratch {
 
   /// Finds a program for the next move.
   Task<Result<>> take();
-  /// Fills it with exactly these stored commands, ready for R.
+  /// Fills the program with exactly these stored commands, ready for R.
   Task<Result<>> fill(std::string commands);
-  /// Empties it.
+  /// Empties the program.
   Task<Result<>> clear(Priority priority);
 
  private:

@@ -79,7 +79,8 @@ class Placer {
     const bool is_stored =
         std::any_of(stored_.begin(), stored_.end(), [&at](const Stretch& s) { return s.covers(at.begin); });
     const std::string_view done = text_.substr(at.begin, at.end - at.begin);
-    if (is_stored || done == "E" || done == "F" || done == "G") return {};  // on-line: the console sees to it
+    if (is_stored || done == "E" || done == "F" || done == "G")
+      return {};  // on-line: the console does this itself
     if (!done.starts_with("PM"))
       return no_block_for(text_, at.begin, fmt::format("{} acts at once. Blocks are programs.", done));
     if (!std::exchange(heading_, true)) begin_program(done.back() - '0', at.begin);
@@ -107,8 +108,7 @@ Result<CommandText> CommandText::read(std::string_view text) {
   check_programs(analysis);
   for (const Problem& p : analysis.report.problems)
     if (p.error)
-      return fail(FaultKind::text, fmt::format("Line {}: {}", p.line + 1, p.sentence),
-                  "The blocks are as they were.");
+      return fail(FaultKind::text, fmt::format("Line {}: {}", p.line + 1, p.sentence), blocks_unchanged);
   CommandText out(text);
   Placer placer(text, analysis, out);
   placer.place_commands();

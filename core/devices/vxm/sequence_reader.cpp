@@ -20,10 +20,10 @@ using Commands = std::vector<PlacedCommand>;
 
 constexpr std::string_view motor_left_out = "a motor that the blocks do not have";
 
-/// A loop command that goes back, no marker.
+/// Whether a loop command goes back, unlike a marker.
 bool goes_back(Op op) { return op >= Op::loop && op <= Op::loop_endless; }
 
-/// U11 to U22 skip the next command unless the input is so.
+/// U11 to U22 skip the next command unless the input has the given state.
 bool skips(const Command& c) {
   return c.op == Op::user && (c.value == 11 || c.value == 12 || c.value == 21 || c.value == 22);
 }
@@ -38,7 +38,7 @@ class BlockReader {
       for (const auto& program : text_.programs)
         if (program)
           return no_block_for(source_, program->at.begin, "blocks are program 0, and it has none.");
-      return fail(FaultKind::text, "The text contains no command.", "The blocks are as they were.");
+      return fail(FaultKind::text, "The text contains no command.", blocks_unchanged);
     }
     read(*text_.programs[0], 0, text_.programs[0]->commands.size(), out_.steps);
     if (fault_) return fail(*fault_);
@@ -111,7 +111,7 @@ class BlockReader {
       case Op::call: return read_call(all, i, list);
       case Op::user: return read_user(all, i, to, list);
       case Op::group: return leave("motors that start together", all, i, i + 1, list);
-      default: return leave("no block does this", all, i, i + 1, list);
+      default: return leave(why::no_block, all, i, i + 1, list);
     }
   }
   std::size_t read_user(const Commands& all, std::size_t i, std::size_t to, ReadSteps& list) {
@@ -121,7 +121,7 @@ class BlockReader {
       if (c.value == output_on[o] || c.value == output_off[o])
         return put(seq::Output{catalog_.output_number(o), c.value == output_on[o], 0}, all, i, i + 1, list);
     if (skips(c) && i + 1 < to) return read_condition(all, i, list);
-    return leave("no block does this", all, i, i + 1, list);
+    return leave(why::no_block, all, i, i + 1, list);
   }
   std::size_t read_condition(const Commands& all, std::size_t i, ReadSteps& list) {
     const Command &skip = all[i].command, &motion = all[i + 1].command;
@@ -133,7 +133,7 @@ class BlockReader {
       return put(on_input, all, i, i + 2, list);
     }
     const Command* home = motion.op == Op::call ? homing_of(motion.value) : nullptr;
-    if (!home) return leave("no block decides this", all, i, i + 2, list);
+    if (!home) return leave(why::no_test, all, i, i + 2, list);
     used_[ix(motion.value)] = true;
     on_input.kind = seq::MoveOnInput::Kind::home, on_input.axis = place_of(*home);
     on_input.direction = home->value < 0 ? Sign::minus : Sign::plus;
@@ -150,7 +150,7 @@ class BlockReader {
 
   // ---- speeds
 
-  /// One of all axes, in the order of the writer.
+  /// Reads the speeds of all axes in the order of the writer as one step.
   std::size_t read_speeds(const Commands& all, std::size_t i, std::size_t to, ReadSteps& list) {
     std::size_t behind = i;
     for (std::size_t a = 0; a < out_.axes.size(); ++a) {
@@ -168,7 +168,7 @@ class BlockReader {
     for (behind = i;
          behind < to && (all[behind].command.op == Op::speed || all[behind].command.op == Op::accel);)
       ++behind;
-    return leave("speeds that differ between axes", all, i, behind, list);
+    return leave(why::unlike_speeds, all, i, behind, list);
   }
   bool speed_of_all(seq::Speeds& speeds) {
     const Given& first = given_[0];
@@ -189,7 +189,7 @@ class BlockReader {
     }
     return false;
   }
-  /// The ramp that the writer would write.
+  /// Whether the writer would write this ramp.
   [[nodiscard]] bool has_ramp(double ms) const {
     for (std::size_t a = 0; a < out_.axes.size(); ++a)
       if (std::llround(static_cast<double>(given_[a].high) / (ms / 1000) / accel_unit) != given_[a].accel)
@@ -211,7 +211,7 @@ class BlockReader {
       return leave("loops that share a mark", all, i, end + 1, list);
     return put_loop(program, i + 1, end, {all[i].at.begin, all[end].at.end}, list)
                ? end + 1
-               : leave("no loop of blocks continues like this", all, i, end + 1, list);
+               : leave(why::no_such_loop, all, i, end + 1, list);
   }
   bool put_loop(const PlacedProgram& program, std::size_t from, std::size_t end, Stretch at,
                 ReadSteps& list) {

@@ -53,8 +53,8 @@ class Writer {
       if (auto written = move(a, *m.to[ix(a)], m.relative, m.own); !written) return written;
       ++moved;
     }
-    if (moved == 0) return draft_.refuse("it moves no axis.");
-    if (moved > 1) draft_.remark("its motors go one after the other, not on a straight line.");
+    if (moved == 0) return draft_.refuse_no_axis();
+    if (moved > 1) draft_.remark("its motors move one after the other, not on a straight line.");
     return {};
   }
   Result<> write(const seq::Arc&) {
@@ -90,9 +90,7 @@ class Writer {
       switch_output(*place, o.on);
       return {};
     }
-    if (o.value >> output_on.size() != 0)
-      return draft_.refuse(
-          fmt::format("it has {} outputs; {} is too much for them.", output_on.size(), o.value));
+    if (o.value >> output_on.size() != 0) return draft_.refuse_outputs(output_on.size(), o.value);
     for (std::size_t i = 0; i < output_on.size(); ++i)
       switch_output(static_cast<int>(i), (o.value >> i & 1) != 0);
     return {};
@@ -112,19 +110,20 @@ class Writer {
   Result<> write(const seq::Contour& c);
   Result<> write(const seq::SpeedStairs&) {
     return draft_.refuse(
-        "no block changes the speed of a VXM on the way. Its continuous index (U7 to U9) does, as own text.");
+        "no block changes the speed of a VXM on the way. Put its continuous index (U7 to U9) into an Own "
+        "text block.");
   }
 
  private:
   static constexpr int heading_part = 0, main_part = 1;  // programs 1 to 4 stand in the parts 2 to 5
 
   [[nodiscard]] int motor(int axis) const { return draft_.axis(axis).index + 1; }
-  /// Once, where the drawing axes are not on one controller.
+  /// Added once, if the drawing axes are on two controllers.
   void remark_on_two_controllers() {
     if (std::exchange(looked_at_axes_, true) || draft_.axis_count() < 2) return;
     if ((motor(0) > motors_per_controller) == (motor(1) > motors_per_controller)) return;
     draft_.remark(
-        "motors on Master and Slave could start together, but not on a straight line: they go one after "
+        "motors on Master and Slave could start together, but not on a straight line: they move one after "
         "the other.");
   }
   Result<> move(int axis, double units, bool relative, const seq::OwnSpeeds& own) {
@@ -144,10 +143,10 @@ class Writer {
   void switch_output(int place, bool on) {
     draft_.line(fmt::format("U{}", (on ? output_on : output_off)[ix(place)]));
   }
-  /// U11 to U22: skips the next command unless the input is so (low is on).
+  /// U11 to U22: skips the next command unless the input has the given state (low is on).
   Result<std::string> skip_unless(int input, bool on) {
     if (auto place = draft_.input(input); !place) return fail(place.error());
-    if (input > 2) return draft_.refuse("programs of a VXM ask the inputs 1 and 2 only.");
+    if (input > 2) return draft_.refuse("programs of a VXM test only inputs 1 and 2.");
     return fmt::format("U{}{}", on ? 1 : 2, input);
   }
   /// Writes a program of its own and calls it. Returns its number.
@@ -233,7 +232,7 @@ Result<> Writer::write(const seq::MoveOnInput& m) {
   return call_homing(m.axis, m.direction);
 }
 
-/// One call, because a skip skips one command: an input asked twice may have changed in between.
+/// One call, because a skip skips one command: an input may change between two questions.
 Result<> Writer::call_homing(int axis, Sign direction) {
   const std::vector<std::string> commands = homing(axis, direction);
   const std::string& key = commands.front();
@@ -299,12 +298,12 @@ Result<> Writer::write(const seq::Repeat& l) {
 
 Result<> Writer::write(const seq::Contour& c) {
   seq::Move begin;
-  if (!draft_.has(c.plane)) return draft_.refuse("a contour needs two axes.");
+  if (!draft_.has(c.plane)) return draft_.refuse_single_axis("a contour");
   begin.to[ix(c.plane.right)] = c.x, begin.to[ix(c.plane.up)] = c.y, begin.own = c.own;
   if (auto written = write(begin); !written) return written;
   for (const seq::Step& step : c.steps) {
     if (step.skipped) continue;
-    Result<> written = draft_.refuse("it holds moves and outputs only: a VXM draws no arcs.");
+    Result<> written = draft_.refuse("a contour can hold only moves and outputs: a VXM draws no arcs.");
     if (const auto* move = std::get_if<seq::Move>(&step.body)) {
       seq::Move own = *move;
       own.own = c.own;

@@ -9,9 +9,9 @@
 namespace hw::vxm {
 namespace {
 
-constexpr int readings = 4;  // one unexpected, one after it, and two that agree
+constexpr int readings = 4;  // readings at most: one unexpected, one after it, and two that agree
 constexpr Duration limits_hold = std::chrono::seconds(3);
-constexpr int questions_between = 20;  // each as late as the line
+constexpr int questions_between = 20;  // questions between two readings, each as late as the line
 
 }  // namespace
 
@@ -20,8 +20,8 @@ void Signals::begin() {
   cleaned_ = {};
 }
 
-// Their age is that of the latest of them all.
-void Signals::forget_what_is_doubted() {
+// Signals share one age, that of the latest reading.
+void Signals::forget_doubtful() {
   if (cleaned_[all.find('~')] != conversation_.times_cleaned()) snapshot_.inputs_known = 0;
   if (cleaned_[all.find('$')] != conversation_.times_cleaned()) snapshot_.outputs_known = 0;
   const Station* station = conversation_.station();

@@ -1,7 +1,7 @@
 #pragma once
-// Reads limits, inputs, outputs and the analog input, and shows them once they can be believed. A one-byte
-// reply may be any byte: it counts once a question of another kind has been answered after it with no
-// unexpected byte in between. After the line was dirty, two such readings must agree.
+// Reads limits, inputs, outputs and the analog input, and shows them once the readings are certain. A
+// one-byte reply may be any byte: it counts once a question of another kind has been answered after it with
+// no unexpected byte in between. After the line was dirty, two such readings must agree.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -27,7 +27,7 @@ class Signals {
   /// A new wire.
   void begin();
   /// Readings from before the line was dirty become unknown until read again.
-  void forget_what_is_doubted();
+  void forget_doubtful();
 
   /// Reads all, more than once where one reading is not enough.
   Task<Result<>> read_all(Priority priority);

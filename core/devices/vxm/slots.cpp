@@ -39,7 +39,7 @@ Task<Result<std::int64_t>> Slots::ask_selected() {
 }
 
 // M reports on the selected program, so each is selected in turn and the user's choice restored. The user's
-// program is read first: a PM that lost a byte may change it, which must show.
+// program is read first: a PM that lost a byte may change it, which must be noticed.
 Task<Result<>> Slots::read_sizes() {
   auto given_back = co_await give_back_selection();
   if (!given_back) co_return given_back;
@@ -82,7 +82,7 @@ Task<Result<int>> Slots::find_empty() {
   const auto& used = console_.snapshot.slot_bytes_used;
   if (confirmed_empty_ >= 0 && used[ix(confirmed_empty_)] == 0 && may_be_scratch(confirmed_empty_))
     co_return confirmed_empty_;
-  for (const bool selected_too : {false, true})  // the selected one only when no other is left
+  for (const bool selected_too : {false, true})  // the selected program only if no other is left
     for (int slot = program_count - 1; slot >= 0; --slot) {
       if ((slot == selected_) != selected_too || used[ix(slot)] != 0 || !may_be_scratch(slot)) continue;
       auto chosen = co_await choose(slot, Priority::intent);

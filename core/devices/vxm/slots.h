@@ -31,7 +31,7 @@ class Slots {
   // ---- selection
   /// The user's choice; -1: not known.
   [[nodiscard]] int selected() const { return selected_; }
-  /// The user has selected it.
+  /// The user has selected this program.
   void was_selected(int slot);
   /// Selects a program and has it confirmed. The user's selection is restored as soon as the wire is free for
   /// it: a stop, or a lost wire, may come in between.
@@ -40,13 +40,13 @@ class Slots {
   [[nodiscard]] bool selection_is_given_back() const { return chosen_ == selected_ && !may_have_grown_; }
 
   // ---- contents
-  /// None: not read.
+  /// The program as read; none: not read.
   [[nodiscard]] const std::optional<Lines>& listing(int slot) const;
   [[nodiscard]] bool knows_sizes() const { return sizes_read_; }
   Task<Result<>> read_sizes();
   /// A program that M has shown empty, for a move of the console.
   Task<Result<int>> find_empty();
-  /// The same with what texts have changed since it was read.
+  /// The same, with the changes by texts since it was read.
   [[nodiscard]] ProgramContents contents(int slot) const;
   /// A command of the user's text has changed the selected program.
   void selected_was_changed(const TextCommand& by);

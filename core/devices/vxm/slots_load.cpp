@@ -48,7 +48,7 @@ tl::unexpected<Fault> bad_line(int line, const std::string& what) {
               "Nothing was sent; the controller keeps its programs.", "Correct the line and load it again.");
 }
 
-bool is_orphan_digit(const TextCommand& c) {  // "5080.0": the period ends the number, the 0 is dropped
+bool is_digit_after_period(const TextCommand& c) {  // "5080.0": the period ends the number, the 0 is dropped
   return c.flaw == Flaw::unknown && c.name.size() == 1 && c.name[0] >= '0' && c.name[0] <= '9';
 }
 
@@ -61,7 +61,7 @@ class Planner {
 
   Result<Plan> plan() {
     for (const TextCommand& c : read_text(text_)) {
-      if (is_orphan_digit(c)) continue;
+      if (is_digit_after_period(c)) continue;
       if (auto good = take(c); !good) return fail(good.error());
     }
     for (const auto& [number, entries] : plan_.slots)
@@ -114,7 +114,7 @@ class Planner {
     pair_ = nullptr;
   }
 
-  /// A command that acts at once is no part of a program. Mere greetings are not reported.
+  /// A command that acts at once is no part of a program. Commands that only switch on-line are not reported.
   void leave_out(const TextCommand& c) {
     const bool needless =
         c.verb == Verb::letter && std::string_view("EFGC").find(c.letter) != std::string_view::npos;
@@ -143,7 +143,7 @@ class Planner {
                 fmt::format("Program {} needs {} bytes, {} more than the {} that it has.", number, cost,
                             cost - program_bytes, program_bytes),
                 "Nothing was sent; the controller keeps its programs.",
-                "Shorten it, or move a part into another program (JM).");
+                "Shorten the program, or move a part into another program (JM).");
   }
 
   static constexpr std::size_t nowhere = std::string_view::npos;

@@ -16,7 +16,7 @@ Task<Result<>> Status::take(char state) {
   if (state == busy && !under_way_.busy()) {
     under_way_.program_begins(-1);  // by the Run button, or from before this connection
   } else if (state == ready && under_way_.job().active()) {
-    under_way_.job().leg_is_over();  // its prompt was lost, or comes in the next moment
+    under_way_.job().leg_is_over();  // the prompt of the leg was lost, or comes in the next moment
     under_way_.news().notify();
   } else if (state == ready && under_way_.program_runs()) {
     under_way_.run_ended(EndedBy::target);
@@ -28,7 +28,7 @@ Task<Result<>> Status::take(char state) {
   co_return Result<>();
 }
 
-Task<Result<>> Status::see_to_dirt() {
+Task<Result<>> Status::clean_if_dirty() {
   if (!presence_.is_on_line() || presence_.is_halted() || !conversation_.station() ||
       !conversation_.station()->is_dirty())
     co_return Result<>();
@@ -37,9 +37,9 @@ Task<Result<>> Status::see_to_dirt() {
   co_return co_await take(*state);
 }
 
-Task<Result<>> Status::ask_whether_it_answers_again() {
+Task<Result<>> Status::ask_again_while_silent() {
   if (!presence_.is_to_be_asked_again()) co_return Result<>();
-  auto reply = co_await conversation_.whether_it_answers();
+  auto reply = co_await conversation_.ask_while_silent();
   if (!reply) co_return reply.error().kind == FaultKind::lost ? fail(reply.error()) : Result<>();
   const auto state = decode_state(*reply);
   if (!state || !presence_.is_halted()) co_return Result<>();

@@ -23,10 +23,10 @@ class Status {
   Task<Result<>> take(char state);
   /// Call before a request, which must not hide an unseen restart: replies to questions that clean the line
   /// are not handled.
-  Task<Result<>> see_to_dirt();
+  Task<Result<>> clean_if_dirty();
   /// After its error report the controller answers nothing but K. If it answers V, it was switched off and
   /// on, or received a K from elsewhere.
-  Task<Result<>> ask_whether_it_answers_again();
+  Task<Result<>> ask_again_while_silent();
 
  private:
   const Console& console_;

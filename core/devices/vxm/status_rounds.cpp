@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/device/driver_faults.h"
 #include "core/devices/vxm/codec.h"
 #include "core/devices/vxm/facts.h"
 
@@ -10,13 +11,13 @@ namespace {
 
 constexpr int io_every = 8;  // rounds in motion between two readings of an input or output
 constexpr Duration io_at_least_every = Millis(250);   // where rounds are slow
-constexpr Duration io_in_a_stop_every = Millis(500);  // a long ramp must not leave them old
+constexpr Duration io_in_a_stop_every = Millis(500);  // they must not become stale during a long ramp
 
 }  // namespace
 
 Task<Result<>> StatusRounds::poll(Round round) {
-  if (!conversation_.station()) co_return fail(FaultKind::lost, "There is no connection to the controller.");
-  if (presence_.is_halted()) co_return co_await status_.ask_whether_it_answers_again();
+  if (!conversation_.station()) co_return not_connected("controller");
+  if (presence_.is_halted()) co_return co_await status_.ask_again_while_silent();
   Result<> polled;
   if (presence_.stays_local())
     polled = co_await poll_local();
@@ -24,12 +25,12 @@ Task<Result<>> StatusRounds::poll(Round round) {
     polled = co_await see_whether_it_stands();
   else
     polled = co_await poll_on_line(round);
-  signals_.forget_what_is_doubted();
+  signals_.forget_doubtful();
   if (polled && !under_way_.busy() && !conversation_.echoes() && round != Round::stopping)
-    runs_.look_what_ended_the_run();
+    runs_.find_end_of_run();
   headline_.show();
   if (!polled && presence_.is_halted() &&
-      conversation_.station()) {  // its error report came in place of an answer
+      conversation_.station()) {  // an error report came in place of the answer
     conversation_.station()->count_answer(conversation_.station()->statistics().last_round_trip, false,
                                           console_.scheduler.now());
     co_return Result<>();
@@ -37,7 +38,7 @@ Task<Result<>> StatusRounds::poll(Round round) {
   co_return polled;
 }
 
-// As often as the wire bears: a round that took its wire time is followed by the next at once. Where bytes
+// As often as the wire allows: a round that took its wire time is followed by the next at once. Where bytes
 // take no time (TCP, in process), two hundred rounds a second are enough.
 Duration StatusRounds::moving_period() const {
   constexpr std::size_t bytes_of_a_round = 22;  // X, Y and V with their answers
@@ -62,10 +63,10 @@ Task<Result<>> StatusRounds::poll_on_line(Round round) {
     auto found = co_await status_.take(*mode);
     if (console_.snapshot.restarts != restarts) co_return found;
     if (conversation_.station())
-      conversation_.station()->resume_misses(misses);  // V does not show where it is
+      conversation_.station()->resume_misses(misses);  // V does not show the position
   }
   if (!settled) co_return settled;
-  // V first: it is answered in every mode, so a restart shows before X is asked in vain.
+  // V first: it is answered in every mode, so it shows a restart before X would remain unanswered.
   auto state = co_await conversation_.state(Priority::poll);
   if (!state) co_return fail(state.error());
   auto taken = co_await status_.take(*state);

@@ -1,6 +1,6 @@
 #pragma once
-// One status round. In motion: positions and whether it still runs, as often as the wire bears. At rest:
-// everything, five times a second.
+// One status round. In motion: positions, and whether the program or move still runs, as often as the wire
+// allows. At rest: everything, five times a second.
 #include "core/devices/vxm/console.h"
 #include "core/devices/vxm/conversation.h"
 #include "core/devices/vxm/echo.h"

@@ -6,7 +6,7 @@ namespace hw::vxm {
 
 Task<Result<>> Stops::send(const StopOrder& order) {
   const bool deaf = presence_.is_unknown() || conversation_.station()->statistics().misses_in_a_row > 1;
-  if (order.times_sent > 1 && deaf) {  // no reply: an unfinished command swallows the stop
+  if (order.times_sent > 1 && deaf) {  // without a reply: an unfinished command may have swallowed the stop
     auto ended = co_await conversation_.transmit("\r", Priority::stop);
     if (!ended) co_return ended;
   }
@@ -76,8 +76,8 @@ Task<Result<>> Stops::ramp_down() {
   co_return co_await conversation_.transmit("D", Priority::stop);
 }
 
-// Holds the program, ramps its motor down, and sends K once that stands. H would release a held program: one
-// that stands when its stop comes is sent no H, unless it goes on after all.
+// Holds the program, ramps its motor down, and sends K once the motor stands. H would release a held program:
+// if the program stands when its stop comes, no H is sent unless it continues.
 Task<Result<>> Stops::stop_program(const StopOrder& order) {
   if (order.what == StopOrder::What::jog) co_return Result<>();
   const auto is_held = [this] { return console_.snapshot.program.run == RunState::held; };
@@ -110,7 +110,7 @@ LastWill Stops::last_will() { return {{Millis(0), "\rD"}}; }
 StopProgress Stops::progress(const StopOrder& order) {
   if (presence_.is_halted()) return StopProgress::stands();  // nothing continues until K
   const bool ramps_by_words =
-      under_way_.job().active() && ramp_.is_expected();  // other stops show in the reply
+      under_way_.job().active() && ramp_.is_expected();  // the effect of other stops shows in the reply
   if (order.what == StopOrder::What::words && !ramps_by_words) return StopProgress::stands();
   if (under_way_.job().active()) {
     if (!under_way_.job().concerns(order)) return StopProgress::stands();

@@ -16,7 +16,8 @@ using Programs = std::array<ProgramContents, program_count>;
 /// whose successor depends on an unknown value.
 class ProgramWalk {
  public:
-  /// `zeroed`: the counts are 0 by then. `left`: the commands that may still be walked for the whole text.
+  /// `zeroed`: the counts are 0 when the program begins. `left`: the commands that may still be walked for
+  /// the whole text.
   ProgramWalk(const HeldPrograms& held, const Snapshot& now, bool zeroed, int& left)
       : programs_(held.contents), left_(left) {
     for (int i = 0; i < now.axis_count && i < max_motors && !held.program_4_first; ++i)
@@ -118,13 +119,14 @@ class ProgramWalk {
       return loop.first == behind && loop.second == commands[behind].value - 1;
     });
   }
-  /// L0, or a jump outside of any call: what follows is the same each time. `which`: program jumped to.
+  /// L0, or a jump outside of any call: the commands after it are the same each time. `which`: program jumped
+  /// to.
   void repeats(int which) {
     Counts& before = before_[ix(which)];
     for (std::size_t m = 0; m < at_.size(); ++m) grew_by_[m] = at_[m] && before[m] ? *at_[m] - *before[m] : 0;
     before = at_;
   }
-  /// The program still runs: what the last pass has moved on goes on.
+  /// The program still runs: an axis that the last pass has moved further moves on in that direction.
   void go_on_without_end() {
     for (std::size_t m = 0; m < at_.size(); ++m)
       if (grew_by_[m] != 0)
@@ -144,7 +146,7 @@ class ProgramWalk {
   const Programs& programs_;
   Counts at_;
   std::array<Counts, program_count + 1> before_{};  ///< at the last jump to each program; at the last L0
-  std::array<std::int64_t, max_motors> grew_by_{};  ///< over the last pass of what repeats without end
+  std::array<std::int64_t, max_motors> grew_by_{};  ///< over the last pass of an endless repetition
   std::vector<Frame> stack_;
   std::vector<AxisTarget> places_;
   int& left_;
@@ -172,7 +174,7 @@ TextGoals goals_of(std::string_view text, Listening now, HeldPrograms held, cons
   std::string whole(text);
   if (ends_open(whole)) whole += '\r';
   bool zeroed = false;
-  int left = 20'000;
+  int left = most_goal_commands;
   for (const TextCommand& c : read_text(whole)) {
     const bool taken = now.takes(c), runs = taken && acts(c, 'R') && !now.local;
     zeroed = zeroed || (taken && acts(c, 'N'));

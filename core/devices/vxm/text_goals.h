@@ -19,7 +19,7 @@ using ProgramContents = std::optional<std::vector<TextCommand>>;  ///< none: not
 struct HeldPrograms {
   std::array<ProgramContents, program_count> contents;
   int selected = -1;             ///< -1: not known
-  bool program_4_first = false;  ///< may run before the others, so nobody knows from where they begin
+  bool program_4_first = false;  ///< may run before the others, so their starting place is unknown
 };
 /// Applies a command of a text that changes the selected program.
 void change(ProgramContents& selected, const TextCommand& command);

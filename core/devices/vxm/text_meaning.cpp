@@ -25,7 +25,7 @@ bool changes_programs(const TextCommand& c) {
   return c.stored() || c.verb == Verb::empty || is_letter(c, 'C') || is_word(c, "del") || is_word(c, "res");
 }
 
-/// The controller answers it and is unchanged by it.
+/// Whether the command is answered and changes nothing in the controller.
 bool asks(const TextCommand& c) {
   if (c.flaw != Flaw::none) return false;
   if (c.verb == Verb::letter)

@@ -66,13 +66,14 @@ bool sets_rate(const TextCommand& c, const Listening& now) {
 }
 
 /// The state that takes only a few commands, for a sentence.
-std::string_view what_listens(const Listening& now) {
+std::string_view listening_words(const Listening& now) {
   if (now.halted) return "After its error report the controller takes only K, or res";
   if (now.running) return "While a program runs the controller takes only a few letters";
   return "In local mode the controller takes only a few letters";
 }
 
-/// Taken in states that are not known here: T and Z at a standstill, res always.
+/// Commands that the controller accepts in states that are not known here: T and Z at a standstill, res
+/// always.
 bool may_be_taken(const TextCommand& c) {
   return c.verb == Verb::letter ? c.letter == 'T' || c.letter == 'Z'
                                 : c.verb == Verb::word && c.name == "res";
@@ -133,16 +134,16 @@ std::vector<Piece> pieces_of(std::string_view text, const std::vector<TextComman
     now.follow(c);
   }
   if (from < text.size()) {
-    const bool mere_end = !pieces.empty() && read_text(text.substr(from)).empty();
+    const bool only_separators = !pieces.empty() && read_text(text.substr(from)).empty();
     cut_at(text.size(), std::nullopt);
-    pieces.back().mere_end = mere_end;
+    pieces.back().only_separators = only_separators;
   }
   return pieces;
 }
 
 const Piece* last_command_of(const std::vector<Piece>& pieces) {
   const auto last =
-      std::find_if(pieces.rbegin(), pieces.rend(), [](const Piece& piece) { return !piece.mere_end; });
+      std::find_if(pieces.rbegin(), pieces.rend(), [](const Piece& piece) { return !piece.only_separators; });
   return last == pieces.rend() ? nullptr : &*last;
 }
 
@@ -151,7 +152,7 @@ std::string dropped_of(const std::vector<TextCommand>& commands, Listening now) 
   std::string_view when;
   for (const TextCommand& c : commands) {
     if (is_dropped(c, now)) {
-      if (dropped.empty()) when = what_listens(now);
+      if (dropped.empty()) when = listening_words(now);
       dropped += (dropped.empty() ? "" : " ") + canonical(c);
     }
     now.follow(c);

@@ -32,11 +32,11 @@ struct Piece {
   std::string text;
   std::optional<AnswerShape> answer;
   std::vector<TextCommand> taken;
-  bool stores = false;        ///< rsm
-  bool kills = false;         ///< K
-  bool resets = false;        ///< res
-  bool mere_end = false;      ///< nothing but the ender of the piece before
-  std::int64_t new_rate = 0;  ///< setB: its number; later pieces are sent at the new rate
+  bool stores = false;           ///< rsm
+  bool kills = false;            ///< K
+  bool resets = false;           ///< res
+  bool only_separators = false;  ///< nothing but the ender of the piece before
+  std::int64_t new_rate = 0;     ///< setB: its number; later pieces are sent at the new rate
 };
 
 /// The state that decides which commands the controller takes, updated along a text.
@@ -55,7 +55,7 @@ const Piece* last_command_of(const std::vector<Piece>& pieces);
 
 /// A sentence about known commands that the controller drops silently in its state; empty: none.
 std::string dropped_of(const std::vector<TextCommand>& commands, Listening now);
-/// The last command is among them.
+/// Whether the last command is dropped.
 bool last_is_dropped(const std::vector<TextCommand>& commands, Listening now);
 
 }  // namespace hw::vxm

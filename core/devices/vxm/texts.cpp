@@ -24,7 +24,7 @@ void add_answer(std::string& answers, std::string_view next) {
 }
 
 /// Stops, asks, or goes on-line: changes nothing that a move of the console needs to its end.
-bool goes_with_a_stop(const TextCommand& c) {
+bool allowed_beside_stop(const TextCommand& c) {
   if (c.verb == Verb::word) return c.name == "res";
   return c.verb == Verb::letter && std::string_view("KDFVXY?~$@").find(c.letter) != std::string_view::npos;
 }
@@ -107,31 +107,30 @@ void Texts::warn_of_flaws(const std::vector<TextCommand>& commands) const {
     if (c.flaw == Flaw::unknown) unknown += (unknown_count++ > 0 ? " " : "") + printable(c.name);
   if (unknown_count == 1)
     console_.report(Notice::Kind::warning,
-                    fmt::format("{} is no command of the VXM, and the controller ignores it silently. It was "
-                                "sent as typed. Type ? in the terminal to list the commands.",
+                    fmt::format("{} is not a command of the VXM, and the controller ignores it silently. It "
+                                "was sent as typed. Type ? in the terminal to list the commands.",
                                 unknown));
   if (unknown_count > 1)
     console_.report(Notice::Kind::warning,
-                    fmt::format("{} are no commands of the VXM, and the controller ignores them silently. "
+                    fmt::format("{} are not commands of the VXM, and the controller ignores them silently. "
                                 "They were sent as typed. Type ? in the terminal to list the commands.",
                                 unknown));
   for (const TextCommand& c : commands) {
     if (c.flaw == Flaw::range)
       console_.report(Notice::Kind::warning,
-                      fmt::format("{} is not possible, and the controller ignores it silently. It takes {}. "
-                                  "It was sent as typed. Send it again with another number.",
+                      fmt::format("Send {0} again with another number: it takes {1}. {0} was sent as typed, "
+                                  "and the controller ignores it silently.",
                                   canonical(c), allowed_values(c)));
     if (c.flaw == Flaw::no_value)
-      console_.report(Notice::Kind::warning,
-                      fmt::format("{} lacks its number, and the controller ignores it silently. It was sent "
-                                  "as typed. Send it again with its number.",
-                                  printable(c.name)));
+      console_.report(Notice::Kind::warning, fmt::format("Send {0} again with its number: {0} was sent as "
+                                                         "typed, and the controller ignores it silently.",
+                                                         printable(c.name)));
   }
 }
 
 // ---- sending
 
-// Echo would come between every question and its reply: F is sent for E.
+// Replaces E by F: an echo would come between every question and its reply.
 static bool without_echo(std::string& text, const std::vector<TextCommand>& commands) {
   bool asked = false;
   for (const TextCommand& c : commands)
@@ -144,8 +143,9 @@ Task<Texts::RawAnswer> Texts::send_pieces(std::string text, Duration patience, P
   const auto commands = read_text(text);
   warn_of_flaws(commands);
   if (without_echo(text, commands))
-    console_.report(Notice::Kind::info,
-                    "Echo stays off: F was sent for E. The console shows what it sends by itself.");
+    console_.report(
+        Notice::Kind::info,
+        "Echo stays off: F was sent instead of E. The console itself shows each command that it sends.");
   const Listening now = conversation_.listens();
   const auto pieces = pieces_of(text, commands, now);
   RawAnswer all;
@@ -199,9 +199,10 @@ Result<> Texts::may_send(const std::vector<TextCommand>& commands) const {
     if (under_way_.job().active() && !taken_while_running && !(c.verb == Verb::word && c.name == "res"))
       return fail(
           FaultKind::refused,
-          fmt::format("A move from the console is under way, and the controller does not take {} during it.",
-                      canonical(c)),
-          "Nothing was sent.", "Wait until it ends, or stop it.");
+          fmt::format(
+              "A move from the console is under way, and the controller does not accept {} during it.",
+              canonical(c)),
+          "Nothing was sent.", "Wait until the move ends, or stop it.");
   }
   return {};
 }
@@ -230,7 +231,7 @@ Task<Result<std::string>> Texts::converse(std::string text, Duration patience, P
       sent.fault->kind == FaultKind::no_answer ? console_.texts.take_since(asked, 'E') : std::nullopt;
   if (!report && !sent.text.empty()) sent.fault->done = with_answers(sent.text, sent.fault->done);
   if (!report) co_return fail(std::move(*sent.fault));
-  add_answer(sent.text, *report);  // it came instead of an answer
+  add_answer(sent.text, *report);  // an error report came instead of an answer
   co_return std::move(sent.text);
 }
 
@@ -274,7 +275,7 @@ Task<Result<std::string>> Texts::stop_by_words(const StopOrder& order) {
 // selected.
 std::string Texts::cut_behind_stop(std::string& text) const {
   const auto commands = read_text(text);
-  const auto first = std::find_if_not(commands.begin(), commands.end(), goes_with_a_stop);
+  const auto first = std::find_if_not(commands.begin(), commands.end(), allowed_beside_stop);
   if (!under_way_.job().active() || first == commands.end()) return {};
   std::string rest = text.substr(first->begin);
   text.resize(first->begin);

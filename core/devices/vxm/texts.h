@@ -1,5 +1,5 @@
 #pragma once
-// Sends raw texts of the user or a script in pieces, and keeps track of their changes.
+// Sends raw texts of the user or a script in pieces, and records what they change in the controller.
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,7 +48,7 @@ class Texts {
     std::string text;
     std::optional<Fault> fault;    ///< why it ended; `text` holds the replies before that
     std::string dropped;           ///< a sentence about commands that the controller's state drops
-    bool last_is_dropped = false;  ///< it will bring no prompt
+    bool last_is_dropped = false;  ///< no prompt will come
   };
   [[nodiscard]] Result<> may_send(const std::vector<TextCommand>& commands) const;
   Task<RawAnswer> send_pieces(std::string text, Duration patience, Priority priority);

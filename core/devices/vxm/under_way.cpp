@@ -113,7 +113,7 @@ void UnderWay::wire_lost() {
   snapshot.working = false;
   ramp_.forget();
   hold_.wire_lost();
-  job_.drop_rest();  // no leg begins by itself after this
+  job_.drop_rest();  // no further leg begins by itself
   for (int i = 0; i < snapshot.axis_count; ++i) {
     AxisState& axis = snapshot.axes[i];
     if (axis.activity == Activity::error) axis.ended_by = EndedBy::lost;

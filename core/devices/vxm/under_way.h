@@ -38,13 +38,13 @@ class UnderWay {
 
   // ---- stored programs
   [[nodiscard]] bool program_runs() const { return program_runs_; }
-  /// -1: the selected one, as far as is known.
+  /// `slot` -1: the selected program, as far as is known.
   void program_begins(int slot);
   /// Slot of a run whose end was seen, with the limits not read since.
   std::optional<int> take_ended_run() { return std::exchange(ended_run_, std::nullopt); }
 
   // ---- end of a run
-  /// By itself or by force.
+  /// The run has ended, by itself or by force.
   void run_ended(EndedBy ended_by);
   /// K has been confirmed: nothing runs, no hold, no error.
   void killed(EndedBy ended_by = EndedBy::abort);

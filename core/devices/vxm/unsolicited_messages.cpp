@@ -30,7 +30,7 @@ void UnsolicitedMessages::received_prompt() {
   const bool of_kill =
       under_way_.killed_at() != Instant{} && console_.scheduler.now() - under_way_.killed_at() < Millis(100);
   if (under_way_.job().active()) {
-    under_way_.job().leg_is_over();  // its end is shown once the positions have been read
+    under_way_.job().leg_is_over();  // the end of the leg is shown once the positions have been read
     if (under_way_.job().end_is_asked() && !of_kill) console_.texts.add(std::string(1, prompt));
     return;
   }

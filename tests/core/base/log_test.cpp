@@ -145,7 +145,7 @@ struct fmt::formatter<hw::Counted> {
 namespace hw {
 namespace {
 
-TEST_F(Log, FormatsNothingThatNobodyWants) {
+TEST_F(Log, FormatsNothingBelowTheLevel) {
   int times = 0;
   const Counted value{times};
   log::subject("link").debug("{}", value);

@@ -76,10 +76,9 @@ TEST(AxisMotion, AMotorThatCouldNotStopInStepIsDoubted) {
   EXPECT_EQ(doubt_killed(axis, kill, Instant(Millis(5))), "");
   EXPECT_FALSE(axis.trust.doubtful());
   kill.speed = 400.6;
-  EXPECT_EQ(
-      doubt_killed(axis, kill, Instant(Millis(5))),
-      "Axis X may have lost steps, as it was stopped without a ramp at 401 steps/s, above its low speed, "
-      "400: its position is doubtful until it is homed or set.");
+  EXPECT_EQ(doubt_killed(axis, kill, Instant(Millis(5))),
+            "Axis X may have lost steps: it was stopped without a ramp at 401 steps/s, above its low speed, "
+            "400. Its position cannot be trusted until it is homed or set.");
   EXPECT_EQ(axis.trust.cause, Doubt::killed);
 }
 

@@ -95,7 +95,7 @@ TEST_F(AxisTrackingTest, WhatEndsShortOfItsTargetEndedAtALimitOrElsewhere) {
   EXPECT_EQ(a().ended_by, EndedBy::limit) << "a jog has no target";
 }
 
-TEST_F(AxisTrackingTest, AJogThatNobodyHereStoppedEndedElsewhere) {
+TEST_F(AxisTrackingTest, AJogThatThisConsoleDidNotStopEndedElsewhere) {
   tracking.begun(0, {Activity::jogging, {}, Sign::plus});
   read(10, true, 1000);
   read(30, false);
@@ -166,12 +166,12 @@ TEST_F(AxisTrackingTest, AStopWithoutARampMakesTheCountOfAFastAxisDoubtful) {
   stop(0, true);
   EXPECT_EQ(a().trust.cause, Doubt::killed);
   ASSERT_EQ(reported.size(), 1u);
-  EXPECT_THAT(reported[0], HasSubstr("Axis A may have lost steps, as it was stopped without a ramp at 401 "));
+  EXPECT_THAT(reported[0], HasSubstr("Axis A may have lost steps: it was stopped without a ramp at 401 "));
   stop(0, true);
   EXPECT_EQ(reported.size(), 1u) << "it is told once";
 }
 
-TEST_F(AxisTrackingTest, AMotionThatNobodyHereBeganIsShownAsAMove) {
+TEST_F(AxisTrackingTest, AMotionBegunElsewhereIsShownAsAMove) {
   read(5, true, 100);
   read(-5, true, 100);
   EXPECT_EQ(a().activity, Activity::moving);

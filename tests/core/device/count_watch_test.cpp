@@ -46,7 +46,7 @@ TEST_F(CountWatchTest, ADigitLostOnTheWayIsNoCount) {
   EXPECT_EQ(reads(5000, 20), 0u);
 }
 
-TEST_F(CountWatchTest, AMotionThatNobodySawBringsItNoFartherThanItGoes) {
+TEST_F(CountWatchTest, AnUnseenMotionMovesNoFartherThanItsSpeedAllows) {
   EXPECT_EQ(reads(5200, 20), 0u);
   EXPECT_EQ(reads(5400), 0u);
   EXPECT_EQ(reads(5600), 0u);

@@ -15,9 +15,9 @@ struct EndingOfADrawing : testing::Test {
     now.pieces.running = true, now.pieces.total = 5;
     watch.look(now);
   }
-  void stopped_by(StoppedBy who) {
+  void stopped_by(StoppedBy by) {
     StopOrder order;
-    order.by = who;
+    order.by = by;
     watch.stop_asked(order, now, Instant{});
   }
   Ending ended() {
@@ -31,18 +31,18 @@ struct EndingOfADrawing : testing::Test {
   EndingWatch watch{catalog, [this](const Ending& ending) { reported = ending; }};
 };
 
-TEST_F(EndingOfADrawing, IsNobodysBehindAPieceThatWasRefused) {
+TEST_F(EndingOfADrawing, NamesNoCauseAfterARefusedPiece) {
   stopped_by(StoppedBy::unknown);
   EXPECT_EQ(ended().by, EndedBy::elsewhere) << "it was cut short";
   EXPECT_EQ(reported.what, Ending::What::pieces);
-  EXPECT_EQ(reported.who, StoppedBy::unknown);
+  EXPECT_EQ(reported.stopped_by, StoppedBy::unknown);
 }
 
 TEST_F(EndingOfADrawing, RemainsTheUsersWhoStoppedItFirst) {
   stopped_by(StoppedBy::key);
   stopped_by(StoppedBy::unknown);
   EXPECT_EQ(ended().by, EndedBy::stop);
-  EXPECT_EQ(reported.who, StoppedBy::key);
+  EXPECT_EQ(reported.stopped_by, StoppedBy::key);
 }
 
 struct EndingOfAMotion : testing::Test {

@@ -97,7 +97,7 @@ TEST_F(HomeProofTest, OneThatComesBackSlowlyFromALimitMayHaveFoundHome) {
   EXPECT_TRUE(proof.may_have_found(Steps(place)));
 }
 
-TEST_F(HomeProofTest, OfOneThatNobodySawNothingIsReported) {
+TEST_F(HomeProofTest, OfAnUnseenHomingNothingIsReported) {
   proof.begin();
   EXPECT_TRUE(proof.may_have_found(Steps(70'000)));
 }

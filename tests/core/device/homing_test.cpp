@@ -28,7 +28,7 @@ TEST(Homing, AWayWithOneDirectionIsRefusedInTheOther) {
   EXPECT_EQ(refusal(c, {AxisId{0}, Sign::minus, 1}), "");
   EXPECT_EQ(refusal(c, {AxisId{0}, Sign::plus, 0}), "") << "this one has both";
   const std::string refused = refusal(c, {AxisId{0}, Sign::plus, 1});
-  EXPECT_THAT(refused, HasSubstr("to the limit switch goes only in the \u2212 direction"));
+  EXPECT_THAT(refused, HasSubstr("to the limit switch runs only in the \u2212 direction"));
   EXPECT_THAT(refused, HasSubstr("Nothing was sent."));
 }
 

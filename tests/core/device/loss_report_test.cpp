@@ -28,7 +28,7 @@ TEST_F(LossReportTest, ACommandOnItsWayIsReportedByWhereTheAxesStand) {
   read_at(5);
   known.axes[1].position = Steps(400);
   EXPECT_EQ(back(),
-            "The connection was gone for 4.0 s while a command was on its way. The controller is at rest; "
+            "The connection was lost for 4.0 s while a command was on its way. The controller is at rest; "
             "step axis Y stands at 400 counts. Nothing was sent again.");
   EXPECT_EQ(back(), "") << "once";
 }
@@ -37,7 +37,7 @@ TEST_F(LossReportTest, OneThatWasNotCarriedOutShowsInThatNothingMoved) {
   report.lost(known, false, true, at(2));
   EXPECT_EQ(back(), "") << "the positions are those of before";
   read_at(5);
-  EXPECT_NE(back().find("every axis stands where it stood"), std::string::npos);
+  EXPECT_NE(back().find("every axis is where it was"), std::string::npos);
 }
 
 TEST_F(LossReportTest, AtRestNothingIsReportedAndNothingOfWhatARestartEnded) {

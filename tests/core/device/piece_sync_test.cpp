@@ -66,7 +66,7 @@ TEST_F(PieceSyncTest, AHoldLetsTheRoundsGoOn) {
   EXPECT_TRUE(first.may_begin(0));
 }
 
-TEST_F(PieceSyncTest, NobodyWaitsForOneThatHasLeft) {
+TEST_F(PieceSyncTest, AControllerThatHasLeftIsNotWaitedFor) {
   both_take_part();
   EXPECT_FALSE(first.may_begin(0));
   second.leave();
@@ -103,7 +103,7 @@ TEST_F(PieceSyncTest, WhatEndsForOneEndsForAll) {
   EXPECT_FALSE(first.may_begin(0));
 }
 
-TEST_F(PieceSyncTest, ASeatThatNobodyTakesEndsAll) {
+TEST_F(PieceSyncTest, ASeatThatIsNotTakenEndsAll) {
   first.take(wake);
   seats[1].reset();
   EXPECT_TRUE(first.has_ended());

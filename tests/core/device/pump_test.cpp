@@ -271,7 +271,7 @@ TEST_F(PumpTest, WhatWaitsBehindAProcedureIsRefusedWhenAStopComes) {
       << "after the stop the console works again";
 }
 
-TEST_F(PumpTest, AJogThatNobodyHoldsIsStopped) {
+TEST_F(PumpTest, AJogWithoutKeepAlivesIsStopped) {
   post(intent::JogStart(AxisId{0}, Sign::plus));
   for (int i = 0; i < 10; ++i) {
     time.run_for(Millis(100));
@@ -345,7 +345,7 @@ TEST_F(PumpClosing, AStopGoesOutBehindAQuestionThatIsNeverAnswered) {
 // ---- stops and lost links
 
 // The third miss, which makes a loss of it, may take seconds: a held jog does not wait for that.
-TEST_F(PumpTest, AJogThatNobodySeesIsStoppedAtTheSecondMiss) {
+TEST_F(PumpTest, AJogIsStoppedAtTheSecondMissedRound) {
   const auto hold_until = [&](auto seen) {
     for (int ms = 0; ms < 5000 && !seen(); ++ms) {
       if (ms % 100 == 0) post(intent::JogKeepAlive());

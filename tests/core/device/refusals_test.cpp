@@ -76,14 +76,14 @@ TEST(Refusals, TheSentenceNamesAxisCauseAndPlace) {
             "The position of motor 1 cannot be trusted: its power was cut. -240 steps may differ from "
             "before. Nothing was sent. Home it, set its position, or go on just this once.");
   now.axes[1].trust.doubt(Doubt::killed, {});
-  EXPECT_EQ(refusal(vxm, now, intent::MoveTo({to(0, 0), to(1, 400)})),
-            "The positions of motor 1 (power was cut) and motor 2 (killed at speed) cannot be trusted. Where "
-            "they are sent may differ from before. Nothing was sent. Home them, set their positions, or go "
-            "on just this once.");
   EXPECT_EQ(
-      refusal(vxm, doubtful({0, 1}), intent::MoveTo({to(0, 0), to(1, 400)})),
-      "The positions of motor 1 and motor 2 cannot be trusted: their power was cut. Where they are sent may "
-      "differ from before. Nothing was sent. Home them, set their positions, or go on just this once.");
+      refusal(vxm, now, intent::MoveTo({to(0, 0), to(1, 400)})),
+      "The positions of motor 1 (power was cut) and motor 2 (stopped without a ramp) cannot be trusted. "
+      "Their targets may differ from before. Nothing was sent. Home them, set their positions, or go "
+      "on just this once.");
+  EXPECT_EQ(refusal(vxm, doubtful({0, 1}), intent::MoveTo({to(0, 0), to(1, 400)})),
+            "The positions of motor 1 and motor 2 cannot be trusted: their power was cut. Their targets may "
+            "differ from before. Nothing was sent. Home them, set their positions, or go on just this once.");
   const DoubtWords clock{[](AxisId, Steps) { return "240.000 mm"; }, [](Instant) { return "12:31:07"; }};
   EXPECT_EQ(describe_doubtful(vxm, now, one, 1, clock),
             "The position of motor 1 cannot be trusted: its power was cut (12:31:07). 240.000 mm may differ "

@@ -26,7 +26,7 @@ Partial write_partly(const char* model, seq::StepList steps) {
   const auto* writer = dynamic_cast<const PartialWriter*>(&type.language());
   EXPECT_TRUE(writer) << model;
   Partial all;
-  auto written = writer->write_what_can_be(s, catalog, all.refused);
+  auto written = writer->write_with_gaps(s, catalog, all.refused);
   EXPECT_TRUE(written) << written.error().sentence();
   all.text = written->text, all.step_of_line = written->step_of_line;
   const auto whole = type.language().write(s, catalog);

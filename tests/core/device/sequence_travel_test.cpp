@@ -50,8 +50,10 @@ TEST_F(SequenceTravel, DistancesInALoopAddUpFromWhereTheAxisStands) {
 
 TEST_F(SequenceTravel, ALoopThatMovesOnForEverIsReportedAsLeavingTheLimit) {
   s.steps = {{seq::Repeat{0, {by(-3)}}}};
-  EXPECT_THAT(refusal(), HasSubstr("An endless loop moves axis X further in each pass, and so past its "
-                                   "\u2212 limit, -1000"));
+  EXPECT_THAT(
+      refusal(),
+      HasSubstr(
+          "An endless loop moves axis X further in each pass, and so goes past its \u2212 limit, -1000"));
   s.steps = {{seq::Repeat{0, {by(-3), by(3)}}}};
   EXPECT_EQ(refusal(), "") << "it comes back";
   now.axes[0].travel = {};

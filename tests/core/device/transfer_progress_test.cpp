@@ -32,7 +32,7 @@ TEST_F(TransferProgressTest, TheTimeThatIsLeftIsNotKnownAtOnce) {
   EXPECT_EQ(shown.left, Millis(100) * 180) << "by the rate so far, with what is to come behind the writing";
 }
 
-TEST_F(TransferProgressTest, WhereNobodyKnowsHowMuchThereIsNoTimeIsReported) {
+TEST_F(TransferProgressTest, WithoutATotalNoTimeIsReported) {
   progress.begin(0, now);
   progress.enter(Phase::reading, 0);
   work(50);

@@ -388,7 +388,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadFile{"Picture", "\x89PNG\r\n\x1a\n....", "line 1: a group code was expected here"},
                     BadFile{"ZeroByte",
                             file(groups({{0, "LEADER"}, {8, "0"}}) + std::string("  0\nA\0B\n", 9)),
-                            "line 10: there is a zero byte"},
+                            "line 10: it contains a zero byte"},
                     BadFile{"TooManyPoints",
                             file(groups({{0, "LWPOLYLINE"}, {8, "0"}, {90, 2e9}, {70, 0}, {10, 0}, {20, 0}})),
                             "line 6: LWPOLYLINE declares more parts than it has"},

@@ -69,16 +69,17 @@ Box3 cuboid() {
   box.add(Point3{0, 0, 0}), box.add(Point3{100, 60, 30});
   return box;
 }
-PathView seen(const Looking& from) { return {cuboid(), Projection(cuboid(), from, true), 400, 300, true}; }
+PathView seen(const ViewDirection& from) {
+  return {cuboid(), Projection(cuboid(), from, true), 400, 300, true};
+}
 
 TEST(Projection, StandardViewsShowTheirAxes) {
   struct Way {
-    Looking from;
+    ViewDirection from;
     Point3 right, up;
   };
-  for (const Way& w :
-       {Way{looking::top, {100, 0, 0}, {0, 60, 0}}, Way{looking::front, {100, 0, 0}, {0, 0, 30}},
-        Way{looking::side, {0, 60, 0}, {0, 0, 30}}}) {
+  for (const Way& w : {Way{views::top, {100, 0, 0}, {0, 60, 0}}, Way{views::front, {100, 0, 0}, {0, 0, 30}},
+                       Way{views::side, {0, 60, 0}, {0, 0, 30}}}) {
     const PathView view = seen(w.from);
     const Point origin = view.to_px({}), right = view.to_px(w.right), up = view.to_px(w.up);
     EXPECT_GT(right.x, origin.x + 50);
@@ -86,14 +87,14 @@ TEST(Projection, StandardViewsShowTheirAxes) {
     EXPECT_LT(up.y, origin.y - 25);
     EXPECT_NEAR(up.x, origin.x, 1e-6);
   }
-  const PathView iso = seen(looking::iso);
+  const PathView iso = seen(views::iso);
   const Point origin = iso.to_px({});
   EXPECT_GT(iso.to_px({50, 0, 0}).x, origin.x) << "the first axis goes to the right";
   EXPECT_LT(iso.to_px({0, 0, 30}).y, origin.y) << "and the third upwards";
 }
 
 TEST(Projection, WhatIsNearIsLarger) {
-  const PathView front = seen(looking::front);
+  const PathView front = seen(views::front);
   const auto width = [&](double y) { return front.to_px({100, y, 0}).x - front.to_px({0, y, 0}).x; };
   EXPECT_GT(width(0), width(60) * 1.1);
   EXPECT_FALSE(front.flat());
@@ -111,7 +112,7 @@ TEST(Projection, AllOfABoxIsShownFromEverywhere) {
 }
 
 TEST(Projection, TurningLeavesWhatItIsTurnedAboutWhereItIs) {
-  PathView view = seen(looking::iso);
+  PathView view = seen(views::iso);
   view.zoom({100, 100}, 5);
   const Point3 about{100, 60, 0};
   const Point before = view.to_px(about), other = view.to_px({0, 0, 0});
@@ -119,7 +120,7 @@ TEST(Projection, TurningLeavesWhatItIsTurnedAboutWhereItIs) {
   EXPECT_NEAR(view.to_px(about).x, before.x, 1e-6);
   EXPECT_NEAR(view.to_px(about).y, before.y, 1e-6);
   EXPECT_GT(std::hypot(view.to_px({0, 0, 0}).x - other.x, view.to_px({0, 0, 0}).y - other.y), 20);
-  EXPECT_EQ(view.projection().from(), (Looking{80, 20}));
+  EXPECT_EQ(view.projection().from(), (ViewDirection{80, 20}));
 }
 
 TEST(Projection, APixelIsFoundAgainAsDeepAsTheMiddle) {
@@ -132,7 +133,7 @@ TEST(Projection, APixelIsFoundAgainAsDeepAsTheMiddle) {
 TEST(Projection, AxesInSeveralUnitsAreAlike) {
   Box3 box;
   box.add(Point3{0, 0, 0}), box.add(Point3{1000, 2, 0.5});
-  const PathView view(box, Projection(box, looking::iso, false), 400, 300, true);
+  const PathView view(box, Projection(box, views::iso, false), 400, 300, true);
   const auto length_of = [&](Point3 end) {
     const Point a = view.to_px({}), b = view.to_px(end);
     return std::hypot(b.x - a.x, b.y - a.y);
@@ -144,19 +145,19 @@ TEST(Projection, AxesInSeveralUnitsAreAlike) {
 }
 
 TEST(Projection, ReportsWhatLiesBehindTheViewer) {
-  const Projection p(cuboid(), looking::iso, true);
+  const Projection p(cuboid(), views::iso, true);
   EXPECT_TRUE(p.reaches(cuboid()));
   Box3 larger = cuboid();
   larger.add(Point3{100, 60, 5000});
   EXPECT_FALSE(p.reaches(larger));
-  EXPECT_TRUE(Projection(larger, looking::iso, true).reaches(larger));
+  EXPECT_TRUE(Projection(larger, views::iso, true).reaches(larger));
   EXPECT_TRUE(Projection().reaches(larger)) << "two axes are seen as they are";
   const Point behind = p.on_plane({1e9, -1e9, 1e9});
   EXPECT_TRUE(std::isfinite(behind.x) && std::isfinite(behind.y));
 }
 
 TEST(PathView, APictureIsMovedWithinItsProjection) {
-  PathView before = seen(looking::iso), now = before;
+  PathView before = seen(views::iso), now = before;
   now.pan(30, -10), now.zoom({10, 20}, 1.7);
   const Point3 p{20, 30, 10};
   const Point moved = now.moved_px(before, before.to_px(p));

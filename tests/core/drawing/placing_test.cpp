@@ -100,7 +100,7 @@ TEST(Placing, AFrameGoesOnceAroundWithTheToolUp) {
 
 TEST(Placing, AnArcStaysOneWhereTheMachineHasIt) {
   Tool tool;
-  tool.going = Going::arcs;
+  tool.curve_mode = CurveMode::arcs;
   EXPECT_EQ(drawn(corner(), tool), "up to x10 y20 wait down to x14 y20 arc90 to x16 y30 wait up");
 }
 
@@ -121,7 +121,7 @@ TEST(Placing, ChordsLieWithinTheTolerance) {
 
 TEST(Placing, StairsLieWithinTheToleranceAndMoveOneAxisAtATime) {
   Tool tool;
-  tool.going = Going::stairs, tool.tolerance = 0.1;
+  tool.curve_mode = CurveMode::stairs, tool.tolerance = 0.1;
   Sequence s;
   draw_chains({chain({straight({0, 0}, {30, -40})})}, tool, s);
   double x = 0, y = 0, farthest = 0;
@@ -158,7 +158,7 @@ TEST(Placing, SpeedsOfTravelAndOfCutting) {
 
 TEST(Placing, AContourLeadsInWhereItsToolIsSwitchedOnTheWay) {
   Tool tool;
-  tool.going = Going::contours, tool.cutting = {10, 0, 500}, tool.contour_outputs = {14, 15};
+  tool.curve_mode = CurveMode::contours, tool.cutting = {10, 0, 500}, tool.contour_outputs = {14, 15};
   EXPECT_EQ(drawn(corner(), tool), "up to x10 y20 wait down contour3 wait up")
       << "no routines: from rest to rest";
   Sequence s;
@@ -179,7 +179,7 @@ TEST(Placing, PiecesThatEndOnTheStepWhereTheyBeginAreNotDrawn) {
   Sequence s;
   s.axes = {{"X", 10}, {"Y", 10}};
   Tool tool;
-  tool.going = Going::contours;
+  tool.curve_mode = CurveMode::contours;
   const auto c = chain({straight({0, 0}, {0.02, 0.01}), straight({0.02, 0.01}, {3, 0}),
                         quarter({3, 0}, {3, 0.02}, {3, 0.01}, 180), straight({3, 0.02}, {3, 4})});
   draw_chains({c}, tool, s);
@@ -192,7 +192,7 @@ TEST(Placing, PiecesThatEndOnTheStepWhereTheyBeginAreNotDrawn) {
 // Its centre may be further away than a controller can count.
 TEST(Placing, AnArcThatIsStraightWithinTheToleranceIsALine) {
   Tool tool;
-  tool.going = Going::arcs;
+  tool.curve_mode = CurveMode::arcs;
   const double flat = 0.001;  // degrees
   const Point centre{5, 5 / std::tan(flat / 2 / 180 * std::acos(-1))};
   EXPECT_EQ(drawn({chain({quarter({0, 0}, {10, 0}, centre, flat)})}, tool),
@@ -204,7 +204,7 @@ TEST(Placing, ALongChainIsSeveralContours) {
   for (int n = 0; n < 100; ++n) curves.push_back(straight({double(n), 0}, {double(n + 1), double(n % 2)}));
   for (std::size_t n = 1; n < curves.size(); ++n) curves[n].from = curves[n - 1].to;
   Tool tool;
-  tool.going = Going::contours;
+  tool.curve_mode = CurveMode::contours;
   Sequence s;
   draw_chains({chain(curves)}, tool, s);
   EXPECT_EQ(words(s), "up to x0 y0 wait down contour40 contour40 contour20 wait up");

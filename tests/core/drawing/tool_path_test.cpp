@@ -62,7 +62,7 @@ TEST(ToolPath, TheNearestPartIsFoundInPerspective) {
   ToolPath path;
   path.go({0, 0, 0}, {100, 0, 0}, true, 7);
   path.go({100, 0, 0}, {100, 0, 50}, true, 8);  // upwards: seen from the top it is all but a point
-  for (const Looking& from : {looking::iso, looking::front, Looking{-30, 10}}) {
+  for (const ViewDirection& from : {views::iso, views::front, ViewDirection{-30, 10}}) {
     const PathView view(path.bounds, Projection(path.bounds, from, true), 400, 400, true);
     const Point px = view.to_px({100, 0, 20});
     const auto hit = nearest(path, view, {px.x - 3, px.y}, 8);
@@ -96,7 +96,7 @@ TEST(ToolPath, AFewLinesShowTheSameWay) {
 TEST(ToolPath, FlattenedItIsAsItLooks) {
   ToolPath path;
   path.go({0, 0, 0}, {10, 20, 30}, true, 4);
-  const Projection front(path.bounds, looking::front, true);
+  const Projection front(path.bounds, views::front, true);
   const ToolPath flat = flattened(path, front);
   EXPECT_EQ(flat.runs.front().source, 4);
   EXPECT_EQ(flat.points.back(), Point3(front.on_plane({10, 20, 30})));

@@ -64,7 +64,7 @@ TEST(BenchFile, GivesAServoAxisAMotor) {
   const auto none = parse_bench_file("[axis.1]\nmotor = false\n", two_axes());
   EXPECT_FALSE(std::get<bench::Place>(none->at_start[0]).place.motor->present);
   EXPECT_EQ(complaint("[axis.1]\nmotor = {mass = 1}\n").substr(0, 38),
-            "b.toml:2:17: a motor has no \"mass\". No");
+            "b.toml:2:17: a motor has no \"mass\". Th");
   EXPECT_EQ(complaint("[axis.1]\nmotor = {inertia = 0}\n").substr(0, 45),
             "b.toml:2:20: inertia must be a number from 1e");
   EXPECT_EQ(complaint("[axis.1]\nmotor = 3\n").substr(0, 54),
@@ -107,28 +107,26 @@ TEST(BenchFile, AlarmsComeToo) {
 
 TEST(BenchFile, ReportsThePlaceAndTheError) {
   EXPECT_EQ(complaint("[axis.3]\nplus = 1\n"),
-            "b.toml:1:1: there is no axis \"3\". Nothing of the file was used. This controller has: 1, X.");
+            "b.toml:1:1: there is no axis \"3\". The file was not used. This controller has: 1, X.");
   EXPECT_EQ(complaint("[axis.1]\n\nplus = 1.5\n").substr(0, 62),
             "b.toml:3:8: plus must be a whole number from -1000000000000 to");
-  EXPECT_EQ(
-      complaint("[axis.1]\nplsu = 1\n"),
-      "b.toml:2:8: an axis has no \"plsu\". Nothing of the file was used. Known here: minus, plus, home, "
-      "index_every, counts_per_step, backlash, scatter, seed, motor.");
+  EXPECT_EQ(complaint("[axis.1]\nplsu = 1\n"),
+            "b.toml:2:8: an axis has no \"plsu\". The file was not used. Known here: minus, plus, home, "
+            "index_every, counts_per_step, backlash, scatter, seed, motor.");
   EXPECT_EQ(complaint("[axis.1]\nminus = 5\nplus = 5\n"),
-            "b.toml:1:1: minus must be below plus. Nothing of the file was used.");
-  EXPECT_EQ(
-      complaint("[input]\n5 = true\n"),
-      "b.toml:2:5: there is no input \"5\". Nothing of the file was used. This controller has input 1 to "
-      "4.");
+            "b.toml:1:1: minus must be below plus. The file was not used.");
+  EXPECT_EQ(complaint("[input]\n5 = true\n"),
+            "b.toml:2:5: there is no input \"5\". The file was not used. This controller has input 1 to "
+            "4.");
   EXPECT_EQ(complaint("[input]\n1 = 1\n"),
-            "b.toml:2:5: an input must be true or false. Nothing of the file was used.");
+            "b.toml:2:5: an input must be true or false. The file was not used.");
   EXPECT_EQ(complaint("[[at]]\nlimit = [1, \"+\", true]\n"),
-            "b.toml:1:1: an [[at]] needs t, its time in seconds. Nothing of the file was used.");
+            "b.toml:1:1: an [[at]] needs t, its time in seconds. The file was not used.");
   EXPECT_EQ(complaint("[[at]]\nt = 1\nlimit = [1, \"up\", true]\n"),
-            "b.toml:3:13: the side of a limit switch is \"+\" or \"-\". Nothing of the file was used.");
+            "b.toml:3:13: the side of a limit switch is \"+\" or \"-\". The file was not used.");
   EXPECT_EQ(complaint("[[at]]\nt = 1\nbutton = [\"Rum\", true]\n"),
-            "b.toml:3:11: there is no button \"Rum\". Nothing of the file was used.");
-  EXPECT_EQ(complaint("axes = 4\n").substr(0, 38), "b.toml:1:8: a bench has no \"axes\". Not");
+            "b.toml:3:11: there is no button \"Rum\". The file was not used.");
+  EXPECT_EQ(complaint("axes = 4\n").substr(0, 38), "b.toml:1:8: a bench has no \"axes\". The");
 }
 
 TEST(BenchFile, NoTomlIsReportedWithItsPlace) {

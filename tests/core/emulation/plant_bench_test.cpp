@@ -50,7 +50,7 @@ TEST_F(PlantBench, APowerCycleIsOffThenOn) {
 
 TEST_F(PlantBench, WhatIsNotThereIsRefused) {
   EXPECT_THAT(refusal(bench::Jam(AxisId{2}, true)), HasSubstr("no axis number 3. Nothing was changed."));
-  EXPECT_THAT(refusal(bench::Input(1, true)), HasSubstr("nothing of that kind on its bench"));
+  EXPECT_THAT(refusal(bench::Input(1, true)), HasSubstr("The bench of this controller cannot do that"));
   AxisPlace half;
   half.home_from = Steps(3);
   EXPECT_THAT(refusal(bench::Place(AxisId{0}, half)), HasSubstr("A home zone needs both ends."));

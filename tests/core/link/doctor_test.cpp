@@ -130,7 +130,7 @@ TEST(LinkDoctor, ReportsWhereTheTimeOfAQuestionGoes) {
   EXPECT_EQ(now.whole(), Millis(31));
   EXPECT_EQ(in_millis(then.whole()), "3.6 ms");
   EXPECT_EQ(link_summary(slow_line()),
-            "One question takes 31.0 ms: 32 a second. 3.6 ms are possible: 279 a second.");
+            "One query takes 31.0 ms: 32 per second. 3.6 ms is possible: 279 per second.");
 }
 
 TEST(LinkDoctor, OffersTheFixesThatCanBeTakenBack) {
@@ -138,7 +138,7 @@ TEST(LinkDoctor, OffersTheFixesThatCanBeTakenBack) {
   const LinkFinding* adapter = find(found, Kind::adapter);
   ASSERT_TRUE(adapter);
   EXPECT_EQ(adapter->what, "The USB adapter waits up to 16 ms before it passes bytes on");
-  EXPECT_THAT(adapter->why, HasSubstr("1 ms saves 15.0 ms a question. No controller is touched."));
+  EXPECT_THAT(adapter->why, HasSubstr("A timer of 1 ms saves 15.0 ms per query. No controller is affected."));
   EXPECT_EQ(adapter->fix, Fix::set_adapter_timer);
   const LinkFinding* rate = find(found, Kind::rate);
   ASSERT_TRUE(rate);
@@ -172,8 +172,8 @@ TEST(LinkDoctor, DistinguishesSilenceFromAWrongRate) {
   EXPECT_EQ(examine_link(f).front().what, "Nothing comes back");
   f.talk.received = f.talk.wrong = 12;
   const auto found = examine_link(f);
-  EXPECT_EQ(found.front().what, "The replies make no sense");
-  EXPECT_THAT(found.front().why, HasSubstr("another rate than 9600 baud"));
+  EXPECT_EQ(found.front().what, "The replies are not understood");
+  EXPECT_THAT(found.front().why, HasSubstr("most likely it is not 9600 baud"));
   EXPECT_EQ(found.front().fix, Fix::change_address);
   EXPECT_FALSE(find(found, Kind::rate)) << "nothing is raised where nothing answers";
 }
@@ -199,8 +199,8 @@ TEST(LinkDoctor, NamesEchoSecondAnswersLossesAndTheOtherProgram) {
   for (const LinkFinding& finding : examine_link(f))
     if (finding.state == State::wrong) all += finding.what + "\n";
   EXPECT_THAT(all, HasSubstr("The console receives its own bytes"));
-  EXPECT_THAT(all, HasSubstr("One question got two answers"));
-  EXPECT_THAT(all, HasSubstr("8 of 40 questions got no answer"));
+  EXPECT_THAT(all, HasSubstr("Two replies came to one query"));
+  EXPECT_THAT(all, HasSubstr("8 of 40 queries got no reply"));
   EXPECT_THAT(all, HasSubstr("minicom (process 4182) has the port open too"));
 }
 
@@ -210,7 +210,7 @@ TEST(LinkDoctor, ALineWithoutARateHasNoBytesToSave) {
   f.adapter_waits.reset();
   f.port_looked_at = false;
   EXPECT_EQ(link_budget(f).rest, Millis(31));
-  EXPECT_EQ(link_summary(f), "One question takes 31.0 ms: 32 a second.");
+  EXPECT_EQ(link_summary(f), "One query takes 31.0 ms: 32 per second.");
   EXPECT_FALSE(find(examine_link(f), Kind::rate));
 }
 

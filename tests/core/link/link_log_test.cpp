@@ -19,9 +19,9 @@ TEST_F(LinkLog, AMissedAnswerAndWhatCameInstead) {
   start("X", ReplyShape::line(), Priority::poll, answer);
   arrive("+00");
   time.run_for(std::chrono::seconds(2));
-  EXPECT_THAT(log.text(), HasSubstr("link: 03: no answer to \"X\" in "));
-  EXPECT_THAT(log.text(), HasSubstr("came: \"+00\"\n"));
-  EXPECT_THAT(log.text(), HasSubstr("link: 03: bytes that mean nothing: \"+00\"\n"));
+  EXPECT_THAT(log.text(), HasSubstr("link: 03: no reply to \"X\" in "));
+  EXPECT_THAT(log.text(), HasSubstr("received: \"+00\"\n"));
+  EXPECT_THAT(log.text(), HasSubstr("link: 03: bytes not understood: \"+00\"\n"));
 }
 
 TEST_F(LinkLog, WhatIsDroppedForAStop) {
@@ -64,7 +64,7 @@ TEST_F(LinkLog, AnEndWithItsReason) {
 
 TEST_F(LinkLog, AJogThatNoWatchdogGuards) {
   EXPECT_FALSE(station.leave_will({}));
-  EXPECT_THAT(log.text(), HasSubstr("link: no watchdog guards the held jog: there is none\n"));
+  EXPECT_THAT(log.text(), HasSubstr("link: no watchdog guards the held jog: it does not run\n"));
 }
 
 }  // namespace

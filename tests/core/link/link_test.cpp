@@ -270,7 +270,7 @@ TEST_F(BusTest, AStopOfOneDeviceOvertakesAllAndDropsOnlyItsOwn) {
   EXPECT_TRUE(stop.result.has_value() && others.result.has_value());
 }
 
-TEST_F(BusTest, BetweenTheWordsOfAStopNobodyElseIsAsked) {
+TEST_F(BusTest, BetweenTheTextsOfAStopNoOtherDeviceIsAsked) {
   Answer poll, first, second, other_device;
   bool stops = true;
   station.stops = [&] { return stops; };
@@ -356,7 +356,7 @@ TEST_F(BusTest, WhatLooksDifferentIsNotWaitedFor) {
   EXPECT_THAT(wire->sent, ElementsAre("@01DN\r", "@02PX\r"));
 }
 
-TEST_F(BusTest, WhatNobodyAskedForGoesToWhoseItIs) {
+TEST_F(BusTest, UnsolicitedBytesGoToTheirStation) {
   const auto receives = [](std::string mark, std::string& received) {
     return [mark, &received](std::string_view bytes) -> std::size_t {
       const auto end = bytes.find('\r');
@@ -380,7 +380,7 @@ TEST_F(BusTest, WhatNobodyAskedForGoesToWhoseItIs) {
   EXPECT_EQ(station.statistics().unparsed_bytes, 2u) << "what never ends is not waited for";
 }
 
-TEST_F(BusTest, WhoLeavesTakesItsTransactionsAlongAndTheLateAnswerIsNobodys) {
+TEST_F(BusTest, ALeavingStationDropsItsTransactionsAndTheirLateAnswer) {
   Answer flying, mine, others;
   start_on(station, "@01PX\r", ReplyShape::line(), Priority::poll, flying);
   start_on(other, "@02PX\r", ReplyShape::line(), Priority::poll, others);

@@ -48,7 +48,7 @@ ServoGains all_gains() {
   return g;
 }
 
-TEST(ServoWatch, WhoSeesEachUpdateKnowsTheOutput) {
+TEST(ServoWatch, ReadingEachUpdateGivesTheOutput) {
   EXPECT_LE(watched(all_gains(), 1).largest, 0.5) << "the converter's rounding";
 }
 

@@ -50,7 +50,7 @@ FinishedRun run(std::string_view text, Limits limits = {}, Stage* stage = nullpt
 }
 
 // The script has lost what it is run for: no pcall keeps it going.
-TEST(Runner, ResultsThatNobodyGetsEndTheRun) {
+TEST(Runner, UnusedResultsEndTheRun) {
   FinishedRun ran;
   ran.room = 4;
   run_into(ran, "print('a')\nfor i = 1, 9 do pcall(print, 'b') end\nhw.log('c')");

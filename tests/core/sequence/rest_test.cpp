@@ -84,7 +84,7 @@ TEST(Rest, WhereNoToolIsSpokenOfOutputsAreOffOnTheWay) {
   EXPECT_EQ(*leading<Output>(*rest, 1), (Output{2, true}));
 }
 
-TEST(Rest, WhatSwitchesTheToolIsOffOnTheWayWhoeverHasSwitchedIt) {
+TEST(Rest, TheToolsOutputsAreOffOnTheWayThere) {
   // Its routine to lift it has been forgotten, and a step switches it by itself.
   Sequence s = drawn();
   s.pen_up.clear();
@@ -178,7 +178,7 @@ TEST(Rest, AnAxisOfTheToolIsLiftedBeforeTheWayAndComesDownBehindIt) {
   EXPECT_THAT(rest_from(s, 4).error().sentence(), HasSubstr("lifted by a distance"));
 }
 
-TEST(Rest, RefusesWhatNobodyCanKnow) {
+TEST(Rest, RefusesAnUnknownState) {
   const auto why = [](Sequence s, std::size_t step) {
     const auto rest = rest_from(s, step);
     return rest ? "" : rest.error().sentence();

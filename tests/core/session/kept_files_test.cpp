@@ -59,7 +59,7 @@ TEST(Profile, DamagedFileIsPutAsideWithASentence) {
     const auto loaded = store.load("k");
     ASSERT_FALSE(loaded) << damage;
     EXPECT_THAT(loaded.error().sentence(), HasSubstr("is damaged"));
-    EXPECT_THAT(loaded.error().sentence(), HasSubstr(".damaged, and a new file is begun"));
+    EXPECT_THAT(loaded.error().sentence(), HasSubstr(".damaged, and a new file was started"));
     EXPECT_EQ(folder.get(file + ".damaged"), damage);
     EXPECT_TRUE(store.load("k")) << "the next start goes on";
     EXPECT_TRUE(store.save("k", stage()));
@@ -92,7 +92,7 @@ TEST(Profile, OfANewerHandwheelIsKeptWhole) {
   const auto loaded = store.load("k");
   ASSERT_FALSE(loaded);
   EXPECT_THAT(loaded.error().sentence(), HasSubstr("The file with the name and units"));
-  EXPECT_THAT(loaded.error().sentence(), HasSubstr(".newer, and a new file is begun"));
+  EXPECT_THAT(loaded.error().sentence(), HasSubstr(".newer, and a new file was started"));
   ASSERT_TRUE(store.save("k", stage()));
   EXPECT_EQ(folder.get(file + ".newer"), bytes);
 }

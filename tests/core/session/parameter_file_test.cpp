@@ -72,13 +72,12 @@ TEST(ParameterFile, FaultsNameTheLine) {
   };
   EXPECT_THAT(sentence("model = \"toy\"\n[parameters]\nj1M = \n"), HasSubstr("stage.toml, line 3: "));
   EXPECT_THAT(sentence("model = \"toy\"\n[parameters]\nj1M = \"fast\"\n"),
-              HasSubstr("stage.toml, line 3: j1M is not given a whole number."));
-  EXPECT_THAT(sentence("model = \"toy\"\nsped = 4\n"),
-              HasSubstr("stage.toml, line 2: sped is not known here."));
+              HasSubstr("stage.toml, line 3: j1M must be a whole number."));
+  EXPECT_THAT(sentence("model = \"toy\"\nsped = 4\n"), HasSubstr("stage.toml, line 2: sped is not known."));
   EXPECT_THAT(sentence("[programs]\nfirst = \"I1M1\"\n"),
-              HasSubstr("line 2: first is not a program with a text"));
+              HasSubstr("line 2: first must be the number of a program, with its text"));
   EXPECT_THAT(sentence("[parameters]\nj1M = 5\n"), HasSubstr("does not say for which controller"));
-  EXPECT_THAT(sentence("\x89PNG"), HasSubstr("Nothing was taken from the file."));
+  EXPECT_THAT(sentence("\x89PNG"), HasSubstr("Nothing was loaded from the file."));
 }
 
 TEST(ParameterFile, OtherModelIsRefused) {

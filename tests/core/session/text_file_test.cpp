@@ -69,7 +69,7 @@ TEST(TextFile, DiskFullKeepsTheOldFileAndReportsIt) {
   std::signal(SIGXFSZ, ignored);
   ASSERT_FALSE(saved);
   EXPECT_THAT(saved.error().sentence(), HasSubstr("scan.vxm was not written"));
-  EXPECT_THAT(saved.error().sentence(), HasSubstr("The text is kept here, and the old file is as it was."));
+  EXPECT_THAT(saved.error().sentence(), HasSubstr("The text is kept here, and the old file is unchanged."));
   EXPECT_EQ(folder.get("scan.vxm"), "old text\n");
   EXPECT_EQ(folder.files(), 1) << "no half file stays behind";
 }

@@ -81,8 +81,8 @@ TEST_F(ToolRoutine, AToolThatNothingSwitchesOffIsRefused) {
   EXPECT_EQ(agree("Z to -2", "Z to 2"), "");
   EXPECT_EQ(agree("DO3 on, wait 5, DO3 off", ""), "") << "it is off again by itself";
   EXPECT_EQ(agree("DO2 on", "DO1 off"),
-            "DO2 is switched on with the tool, and nothing switches it back. Add to what switches the tool "
-            "off: DO2 off.");
+            "DO2 is switched on with the tool, and nothing switches it back. Add this to the steps that "
+            "switch the tool off: DO2 off.");
   EXPECT_THAT(agree("DO2 on", "DO2 off, DO2 on"), HasSubstr("nothing switches it back"));
 }
 

@@ -74,7 +74,7 @@ TEST(Bare, TheConsoleOpensItAndMovesIt) {
   s.tab().send_followed(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   s.run(2);
   EXPECT_EQ(s.tab().now().axes[0].position, Steps(400));
-  EXPECT_THAT(s.tab().complaints(), testing::IsEmpty());
+  EXPECT_THAT(s.tab().messages.complaints(), testing::IsEmpty());
 }
 
 /// Whether a press on it may leave the panel or the controller.

@@ -9,4 +9,4 @@ END
 ;# error 1:1 IF V1
 ;# error 2:1 WHILE DI1
 ;# error 3:7 letter of the axis is missing
-;# error 6:1 GOSUB takes a number only
+;# error 6:1 GOSUB takes only a number

@@ -17,7 +17,7 @@ listing pmx-4ex-sa 14
 13 END
 ;# for pmx-4ex-sa
 ;# error 4:1 DO takes 0 to 255
-;# error 5:1 JOYENA takes a number only
+;# error 5:1 JOYENA takes only a number
 ;# error 6:1 means nothing
 ;# error 7:1 Positions are
 ;# error 8:1 swept angle

@@ -10,7 +10,7 @@ LISTING pmx-4ex-sa 8
 ;# for pmx-4ex-sa
 ;# error 2:1 names other lines
 ;# error 4:1 means nothing
-;# error 6:1 Line 4 should stand here
+;# error 6:1 Line 4 is expected here
 ;# error 7:1 means nothing
 ;# error 8:1 means nothing
 ;# error 9:1 means nothing

@@ -45,10 +45,10 @@ END
 ;# error 10:9 comparison is missing
 ;# error 12:1 direction
 ;# error 13:1 DI1 to DI6
-;# error 14:1 read only
+;# error 14:1 only be read
 ;# error 15:1 V0 to V99
 ;# error 16:6 variable on the line above
-;# error 17:5 a number only
+;# error 17:5 only a number
 ;# error 18:6 1 to 6,000,000
 ;# error 19:7 not a variable
 ;# error 20:2 28 bits
@@ -63,6 +63,6 @@ END
 ;# error 29:1 Is it SSPDX?
 ;# error 30:4 0 to 1
 ;# error 31:3 SR0 to SR1
-;# error 32:4 written only
+;# error 32:4 only be written
 ;# error 33:4 minus sign
 ;# error 34:1 is not a statement

@@ -18,13 +18,13 @@ PRG 9
 END
 ;# for pmx-4ex-sa dmx-k-sa
 ;# error 2:1 END is missing above
-;# error 2:1 stands twice
+;# error 2:1 appears twice
 ;# error 4:1 END is missing above
 ;# error 6:1 ENDSUB
-;# error 7:1 stands twice
+;# error 7:1 appears twice
 ;# error 9:1 outside any program
-;# error 13:1 stands twice
+;# error 13:1 appears twice
 ;# error 14:1 A program ends with END
-;# error 15:1 no program here
+;# error 15:1 no program above this END
 ;# error 16:1 no SUB above
 ;# error 17:5 PRG 0 to PRG

@@ -34,7 +34,7 @@ END
 ;# error 12:1 ELSEIF has no IF
 ;# error 13:5 no commas
 ;# error 14:4 no commas
-;# error 15:3 X stands twice
+;# error 15:3 X appears twice
 ;# error 16:1 ENDIF has no IF above it
 ;# error 16:7 Nothing may follow
 ;# error 17:1 begins with a word

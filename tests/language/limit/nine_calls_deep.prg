@@ -37,5 +37,5 @@ SUB 9
 V1=9
 ENDSUB
 ;# for pmx-4ex-sa dmx-k-sa
-;# warning 1:1 9 calls within calls
+;# warning 1:1 Calls from here nest 9 deep
 ;# after 100 V1=8 V3=0 state0=4 line0=34

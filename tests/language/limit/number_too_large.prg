@@ -5,6 +5,6 @@ X-134217728
 X134217727
 END
 ;# for pmx-4ex-sa dmx-k-sa
-;# error 1:4 too large
-;# error 2:4 too large
+;# error 1:4 out of range
+;# error 2:4 out of range
 ;# error 3:2 28 bits

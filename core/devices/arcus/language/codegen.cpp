@@ -19,7 +19,7 @@ Generated generate(const std::vector<Statement>& statements) {
   for (const Statement& s : statements) {
     if (!s.sound) continue;
     out.needed += s.instruction.lines;
-    if (out.needed <= max_lines)
+    if (out.needed <= program_lines)
       append(out, s);
     else if (!out.first_beyond)
       out.first_beyond = &s;

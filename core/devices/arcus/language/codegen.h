@@ -11,7 +11,7 @@ struct Generated {
   Program program;
   std::vector<int> source_line;             ///< for each low-level line the text's line
   int needed = 0;                           ///< low-level lines that the whole text needs
-  const Statement* first_beyond = nullptr;  ///< the first statement that does not fit into max_lines
+  const Statement* first_beyond = nullptr;  ///< the first statement that does not fit into program_lines
 };
 
 [[nodiscard]] Generated generate(const std::vector<Statement>& statements);

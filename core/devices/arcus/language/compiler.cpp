@@ -29,7 +29,7 @@ std::vector<Token> tokens_of(const std::optional<Statement>& s, const LexedLine&
     const TokenKind kind = kind_of(*s);
     const Lexeme& word = lexed.lexemes().front();
     const int end = s->column + s->length;
-    const int split = kind == TokenKind::flow ? word.end : end;  // IF in colour, its condition plain
+    const int split = kind == TokenKind::flow ? word.end : end;  // IF is coloured, its condition is plain
     tokens.push_back({s->column, split, kind});
     if (split < end) tokens.push_back({split, end, TokenKind::plain});
   }
@@ -70,10 +70,10 @@ void report_too_long(const Generated& generated, std::vector<Problem>& problems)
   problem.column = beyond->column;
   problem.length = beyond->length;
   problem.sentence = "The text does not fit from here on: it needs " + grouped(generated.needed) +
-                     " low-level lines, and the controller has " + grouped(max_lines) + ".";
+                     " low-level lines, and the controller has " + grouped(program_lines) + ".";
 }
 
-/// Which low-level lines each line of the text has become.
+/// Finds the low-level lines that each line of the text has become.
 void map_lines(Compilation& out) {
   for (std::size_t low = 0; low < out.source_line.size(); ++low) {
     SourceLine& line = out.text[static_cast<std::size_t>(out.source_line[low])];

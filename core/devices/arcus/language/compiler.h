@@ -18,7 +18,7 @@ struct SourceLine {
 };
 
 struct Compilation {
-  Program program;                 ///< what could be made of it; complete when there are no errors
+  Program program;                 ///< the lines that could be compiled; complete if there are no errors
   std::vector<std::string> lines;  ///< `program` as low-level lines, for SA
   std::vector<int> source_line;    ///< for each low-level line the text's line, from 0
   int needed = 0;                  ///< low-level lines of the whole text; may be more than there are

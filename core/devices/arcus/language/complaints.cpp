@@ -11,7 +11,7 @@
 namespace hw::arcus::language {
 namespace {
 
-/// Commands over the wire that go by another name in a program (AMB-030 and the tables).
+/// Commands that have another name in a program than on the wire (AMB-030 and the tables).
 struct WireName {
   std::string_view wire, program;
   bool axis;  ///< an axis letter may stand behind both
@@ -25,12 +25,12 @@ constexpr std::string_view flow_words[] = {"IF",       "ELSEIF", "ELSE",  "ENDIF
                                            "ENDWHILE", "END",    "SUB",   "ENDSUB", "GOSUB",
                                            "PRG",      "DELAY",  "STORE", "ABS",    "INC"};
 
-std::string the_axes(const Dialect& dialect) {
+std::string axes_in_words(const Dialect& dialect) {
   if (dialect.axes.size() == 1) return "one axis, " + std::string(dialect.axes);
   return "the axes X, Y, Z and U";
 }
 
-/// HOME, WAIT, P ...: right but for the axis letter.
+/// HOME, WAIT, P ...: only the axis letter is missing.
 bool lacks_axis(const Dialect& dialect, std::string_view letters) {
   const auto is_word = [&](const WordRow& row) { return row.spelling == letters; };
   const auto is_name = [&](const NameRow& row) {
@@ -97,7 +97,7 @@ const Dialect* other_home_of(const Dialect& dialect, std::string_view letters, i
   return nullptr;
 }
 
-/// Two adjacent letters are swapped: the commonest slip.
+/// Two adjacent letters are swapped: the commonest typing error.
 bool swapped(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   const auto at = static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin()).first - a.begin());
@@ -127,7 +127,7 @@ std::optional<Complaint> glued_keyword(const Dialect& dialect, std::string_view 
     const bool variable = letters == "V" && with_number;
     if (!variable && !find_name(dialect, letters, with_number ? 1 : -1)) continue;
     if (keyword == "GOSUB")
-      return Complaint{"GOSUB takes a number only, not " + std::string(operand) + ".", {}};
+      return Complaint{"GOSUB takes only a number, not " + std::string(operand) + ".", {}};
     std::string apart = std::string(keyword) + " " + std::string(operand);
     return Complaint{"A blank is missing: " + apart + ".", std::move(apart)};
   }
@@ -178,13 +178,13 @@ Complaint unknown_word(const Dialect& dialect, std::string_view word) {
     const bool only_the_axis =
         letters.size() == 1 || lacks_axis(dialect, letters.substr(0, letters.size() - 1));
     if (only_the_axis && dialect.axis_of(letters.back()) < 0 && other->axis_of(letters.back()) >= 0)
-      return {shown + ": the " + name + " has " + the_axes(dialect) + ".", {}};
+      return {shown + ": the " + name + " has " + axes_in_words(dialect) + ".", {}};
     return {
         shown + " belongs to the " + std::string(other->model_name) + ". The " + name + " does not know it.",
         {}};
   }
   if (auto about = glued_keyword(dialect, word)) return *about;
-  const bool one_letter_and_number = letters.size() == 1 && number >= 0;  // close to too many words
+  const bool one_letter_and_number = letters.size() == 1 && number >= 0;  // it resembles too many words
   std::string guess = one_letter_and_number ? std::string() : nearest(dialect, letters);
   if (guess.empty()) return {shown + " is not a statement of a " + name + " program.", {}};
   if (number >= 0) {

@@ -41,7 +41,7 @@ Opcode opcode_of(Text mnemonic) {
   return Opcode::bad;
 }
 
-/// As it is written out: no leading zeros, no +. So a line is spelt in one way only.
+/// A number spelt as the encoder writes it: no leading zeros, no +. So each line has only one spelling.
 std::optional<std::int32_t> canonical_number(Text text) {
   const auto n = whole_number<std::int32_t>(text);
   return n && std::to_string(*n) == text ? n : std::nullopt;
@@ -110,7 +110,7 @@ class StatementReader {
   }
   static bool read_line(Text text, std::uint16_t& line) {
     const auto n = canonical_number(text);
-    if (!n || *n < 0 || *n >= max_lines) return false;
+    if (!n || *n < 0 || *n >= program_lines) return false;
     line = static_cast<std::uint16_t>(*n);
     return true;
   }
@@ -226,7 +226,8 @@ void mark_bad(Program& program, int line, std::string why) {
   program.bad_lines.push_back({line, std::move(why)});
 }
 
-/// A block whose lines name wrong ends would run differently from how it reads.
+/// Checks that the lines of each block name its ends: otherwise the block would run differently from how it
+/// reads.
 void check_blocks(Program& program) {
   const std::vector<Instruction> as_loaded = program.code;
   for (const int line : link_blocks(program.code)) mark_bad(program, line, "belongs to no complete block");
@@ -244,7 +245,7 @@ Program decode(const std::vector<std::string>& lines, const Dialect& dialect) {
   Program program;
   std::span<const std::string> rest(lines);
   while (!rest.empty() && rest.back().empty()) rest = rest.first(rest.size() - 1);
-  if (rest.size() > max_lines) rest = rest.first(max_lines);
+  if (rest.size() > program_lines) rest = rest.first(program_lines);
   program.code.reserve(rest.size());
   while (!rest.empty()) {
     Instruction i;

@@ -1,14 +1,13 @@
 #include "core/devices/arcus/language/dialect.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "core/devices/arcus/facts.h"
 
 namespace hw::arcus::language {
 namespace {
 
-constexpr std::int32_t largest = std::numeric_limits<std::int32_t>::max();
+constexpr auto largest = static_cast<std::int32_t>(max_number);
 
 constexpr auto min_position = static_cast<std::int32_t>(position_min),
                max_position = static_cast<std::int32_t>(position_max),
@@ -33,7 +32,7 @@ constexpr NameRow write_only(std::string_view spelling, Quantity q, Indexing ind
   row.readable = false;
   return row;
 }
-/// Its syntax line has a value only, no variable.
+/// The name's syntax line in the manual has a value only, no variable.
 constexpr NameRow number_only(NameRow row) {
   row.writable = Writable::number;
   return row;
@@ -120,9 +119,9 @@ constexpr NameRow dmx_names[] = {
     read_only("DI", Q::input, number, 1, 6),
     read_write("DO", Q::outputs, none, 0, 7),
     switch_output("DO", Q::output, 3),
-    number_only(or_zero(write_only("DRVIC", Q::idle_current, none, 100, 2500))),
+    number_only(or_zero(write_only("DRVIC", Q::idle_current, none, min_current, max_current))),
     number_only(write_only("DRVIT", Q::idle_delay, none, 1, 100)),
-    number_only(write_only("DRVRC", Q::run_current, none, 100, 2500)),
+    number_only(write_only("DRVRC", Q::run_current, none, min_current, max_current)),
     read_write("EO", Q::enables, none, 0, 1),
     read_write("E", Q::encoder_position, axis, min_position, max_position),
     read_write("P", Q::pulse_position, axis, min_position, max_position),

@@ -11,7 +11,7 @@
 namespace hw::arcus::language {
 
 enum class Indexing : std::uint8_t {
-  none,    ///< the name alone; `first` is the index that it stands for (DMX: PS is the speed of axis 0)
+  none,    ///< the name alone, which means index `first` (DMX: PS is the speed of axis 0)
   axis,    ///< an axis letter behind the name
   number,  ///< a number `first` to `last` behind the name
 };
@@ -25,7 +25,7 @@ struct NameRow {
   std::uint8_t first = 0, last = 0;
   bool readable = true;
   Writable writable = Writable::no;
-  std::int32_t minimum = 0, maximum = 0;  ///< of what is written
+  std::int32_t minimum = 0, maximum = 0;  ///< of values that are written
   bool also_zero = false;                 ///< 0 is allowed too
   bool any_is_on = false;                 ///< a number beyond the range means on (AMB-094)
   std::string_view usual{};               ///< not empty: accepted with a warning to write this (AMB-107, 108)
@@ -39,7 +39,7 @@ struct NameRow {
 struct WordRow {
   std::string_view spelling;
   Opcode op;
-  bool alone = false;  ///< on a controller with several axes also without a letter: all of them
+  bool alone = false;  ///< also without a letter: on a controller with several axes, all of them
 };
 
 struct Dialect {

@@ -30,8 +30,8 @@ std::size_t unknown_length(std::string_view rest) {
   return n;
 }
 
-/// Blanks that come along when text is copied from a printed manual: U+00A0, U+2000 to U+200A, U+202F, and
-/// the byte order mark of a file. They become plain blanks of the same length in bytes.
+/// Blanks found in text that is copied from a printed manual: U+00A0, U+2000 to U+200A, U+202F, and the byte
+/// order mark of a file. They become plain blanks of the same length in bytes.
 void flatten_blanks(std::string& text) {
   const auto byte = [&](std::size_t at) {
     return at < text.size() ? static_cast<unsigned char>(text[at]) : 0;

@@ -21,7 +21,7 @@ class LexedLine {
  public:
   void read(std::string_view line);
 
-  /// Never empty: the last one has kind `end` and stands behind the last statement character.
+  /// Never empty: the last lexeme has kind `end` and stands after the last character of the statement.
   [[nodiscard]] const std::vector<Lexeme>& lexemes() const { return lexemes_; }
   [[nodiscard]] int comment() const { return comment_; }             ///< where it begins, or -1
   [[nodiscard]] bool star_comment() const { return star_comment_; }  ///< begins with '*' (AMB-105)

@@ -25,7 +25,7 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-/// In small letters as well, as the rest of a program may be (AMB-112).
+/// Also in small letters, which a program may use (AMB-112).
 bool is_mark(std::string_view word) {
   return std::equal(word.begin(), word.end(), mark.begin(), mark.end(),
                     [](char c, char m) { return c == m || (c >= 'a' && c <= 'z' && c - 'a' + 'A' == m); });
@@ -65,7 +65,7 @@ class ListingReader {
       report(number, "This listing is for another controller: " + std::string(model) + ", not " +
                          std::string(dialect_.model) + ".");
     promised_ = whole_number<int>(text).value_or(-1);
-    if (promised_ < 0 || promised_ > max_lines)
+    if (promised_ < 0 || promised_ > program_lines)
       report(number, "Put the number of lines, 0 to 1,275, after the model.");
   }
   void read_line(std::string_view text, int number) {
@@ -73,7 +73,7 @@ class ListingReader {
     const std::string_view its_number = take_word(text);
     if (whole_number<int>(its_number) != expected)
       report(number,
-             "Line " + std::to_string(expected) + " should stand here, not " + std::string(its_number) + ".");
+             "Line " + std::to_string(expected) + " is expected here, not " + std::string(its_number) + ".");
     out_.lines.emplace_back(text);
     out_.source_line.push_back(number);
   }

@@ -15,7 +15,7 @@ std::string wrong_setting(const Instruction& i, const Dialect& dialect) {
   const Operand& value = i.values[0];
   const std::string name = spell(dialect, i.target);
   if (value.kind == Operand::Kind::variable)
-    return row->writable == Writable::number ? name + " takes a number only." : std::string();
+    return row->writable == Writable::number ? name + " takes only a number." : std::string();
   return row->any_is_on || row->accepts(value.number) ? std::string() : value_range(*row, name);
 }
 
@@ -55,11 +55,12 @@ void check_listing(const Program& program, const std::vector<int>& source_line, 
       problem.sentence = std::move(wrong);
     }
   }
-  // Around a missing or invalid line the structure need not fit.
+  // Not checked around a missing or invalid line, where the structure need not fit.
   if (before > 0) return;
   check_structure(statements, problems);
   check_calls(statements, problems);
-  for (Problem& p : problems) p.fix_label.clear(), p.fix_text.clear();  // for a text, not numbered lines
+  for (Problem& p : problems)
+    p.fix_label.clear(), p.fix_text.clear();  // they would mend a text, not numbered lines
 }
 
 }  // namespace hw::arcus::language

@@ -42,7 +42,7 @@ void LineParser::warn(int begin, int end, std::string sentence, std::string fix)
   report(begin, end, std::move(sentence), std::move(fix)).error = false;
 }
 
-/// The word at `at`, with the adjoining number, is unknown.
+/// Reports that the word at `at`, with the adjoining number, is unknown.
 bool LineParser::complain_about_word(std::size_t at) {
   const Lexeme& word = (*lexemes_)[at];
   const Lexeme& behind = (*lexemes_)[std::min(at + 1, lexemes_->size() - 1)];
@@ -90,7 +90,7 @@ bool LineParser::complain_about_rest() {
 
 bool LineParser::expect_equals(const std::string& what) {
   if (take("=")) return true;
-  if (here().is(Kind::sign, "==")) return complain(here(), "A single = gives a value.", "=");
+  if (here().is(Kind::sign, "==")) return complain(here(), "A single = assigns a value.", "=");
   return complain(here(), what + " needs = and a value.");
 }
 
@@ -110,7 +110,7 @@ bool LineParser::number(std::int32_t& value) {
   if (too_large_)
     return complain(
         first.begin, here().end,
-        "This number is too large: " + grouped(lowest) + " to " + grouped(highest) + " can be held.");
+        "This number is out of range: it must be " + grouped(lowest) + " to " + grouped(highest) + ".");
   advance();
   value = static_cast<std::int32_t>(with_sign);
   return true;
@@ -188,7 +188,7 @@ bool LineParser::operand(Operand& value) {
   const int begin = l.begin;
   if (!named(value, row, name)) return false;
   if (!row->readable)
-    return complain(begin, (*lexemes_)[at_ - 1].end, name + " can be written only, not read.");
+    return complain(begin, (*lexemes_)[at_ - 1].end, name + " can only be written, not read.");
   return true;
 }
 

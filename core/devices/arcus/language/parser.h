@@ -29,7 +29,7 @@ class LineParser {
  private:
   using Kind = Lexeme::Kind;
 
-  // What stands there
+  // The lexeme at the present place
   [[nodiscard]] const Lexeme& here() const { return (*lexemes_)[at_]; }
   [[nodiscard]] const Lexeme& ahead() const {
     return (*lexemes_)[at_ + 1 < lexemes_->size() ? at_ + 1 : at_];

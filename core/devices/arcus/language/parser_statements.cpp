@@ -33,7 +33,7 @@ Opcode keyword(std::string_view word) {
   return Opcode::bad;
 }
 
-/// ARCP, and ARCNO: the letter O of a printed listing for the digit 0 (AMB-109).
+/// ARCP, ARCN; also ARCNO, as printed listings have the letter O for the digit 0 (AMB-109).
 Opcode arc_keyword(std::string_view word) {
   for (const Keyword& k : arcs)
     if (word.starts_with(k.text) && word.find_first_not_of('O', k.text.size()) == std::string_view::npos)
@@ -41,10 +41,11 @@ Opcode arc_keyword(std::string_view word) {
   return Opcode::bad;
 }
 
-/// Its block counts as opened or closed even if the line has a mistake.
+/// Whether the statement opens or closes a block. The block counts as opened or closed even if the line has a
+/// mistake.
 bool is_structure(Opcode op) { return op >= Opcode::prg && op <= Opcode::endwhile && op != Opcode::gosub; }
 
-/// EN=1, EN1=1: whatever the word was to be, it is assigned a value.
+/// EN=1, EN1=1: the word, whatever was meant, is assigned a value.
 bool is_given_value(const std::vector<Lexeme>& line) {
   const std::size_t behind = line.size() > 1 && line[1].is(Lexeme::Kind::number) ? 2 : 1;
   return line.size() > behind && line[behind].is(Lexeme::Kind::sign, "=");
@@ -169,7 +170,7 @@ bool LineParser::parse_condition() {
 bool LineParser::parse_delay() {
   std::int32_t ms = 0;
   if (!expect_equals("DELAY")) return false;
-  if (!bounded_number(1, 2'147'483'647, "DELAY takes 1 to 2,147,483,647 ms.", ms)) return false;
+  if (!bounded_number(1, max_number, "DELAY takes 1 to " + grouped(max_number) + " ms.", ms)) return false;
   i_.values[0] = number_operand(ms);
   return expect_end();
 }
@@ -244,7 +245,7 @@ bool LineParser::parse_one_move() {
   const int axis = dialect_.axis_of(word.text.front());
   if (axis < 0) return complain_about_word(at_);
   if (i_.axes.has(axis))
-    return complain(word, std::string(1, word.text.front()) + " stands twice in this move.");
+    return complain(word, std::string(1, word.text.front()) + " appears twice in this move.");
   i_.axes.add(axis);
   Operand& target = i_.values[static_cast<std::size_t>(axis)];
   if (glued_v) return variable(target);
@@ -293,8 +294,7 @@ bool LineParser::parse_assignment() {
   if (!named(i_.target, row, name)) return false;
   const int end = (*lexemes_)[at_ - 1].end;
   if (row->writable == Writable::no)
-    return complain(word.begin, end,
-                    name + " can be read only. A variable takes its value: V1=" + name + ".");
+    return complain(word.begin, end, name + " can only be read. Copy it to a variable: V1=" + name + ".");
   return expect_equals(name) && parse_written_value(*row, name) && expect_end();
 }
 
@@ -302,7 +302,7 @@ bool LineParser::parse_written_value(const NameRow& row, const std::string& name
   const Lexeme& first = here();
   const bool number_only = row.writable == Writable::number;
   if (first.is(Kind::word)) {
-    if (number_only) return complain(first.begin, lexemes_->back().begin, name + " takes a number only.");
+    if (number_only) return complain(first.begin, lexemes_->back().begin, name + " takes only a number.");
     if (!first.is(Kind::word, "V"))
       return complain(first.begin, lexemes_->back().begin,
                       name + " takes a number or a variable. Put the value in a variable on the line above.");
@@ -313,7 +313,7 @@ bool LineParser::parse_written_value(const NameRow& row, const std::string& name
     if (!number(value)) return false;
     if (!row.accepts(value))
       warn(first.begin, (*lexemes_)[at_ - 1].end,
-           "Any number but 0 switches " + name + " on; 1 says it plainly.", "1");
+           "Any number but 0 switches " + name + " on. Write 1 to be clear.", "1");
   } else if (!(row.also_zero && first.is(Kind::number, "0"))) {
     if (!bounded_number(row.minimum, row.maximum, value_range(row, name), value)) return false;
   } else {

@@ -10,25 +10,22 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/devices/arcus/facts.h"
 
 namespace hw::arcus::language {
 
-inline constexpr int max_lines = 1275;      ///< low-level lines of a controller
 inline constexpr int max_line_length = 56;  ///< so that `SA1274=` and the line fit a 64-byte transfer
 inline constexpr int max_programs = 4;
-inline constexpr int max_axes = 4;
-inline constexpr int subroutines = 32;
-inline constexpr int error_subroutine = 31;
+inline constexpr int max_axes = most_axes;
 inline constexpr int max_call_depth = 8;  ///< GOSUB within GOSUB (AMB-129)
-inline constexpr int variables = 100;
-inline constexpr int first_stored_variable = 50;
+using arcus::error_subroutine, arcus::first_stored_variable, arcus::subroutines, arcus::variables;
 
 struct Dialect;
 
 enum class Opcode : std::uint8_t {
   empty,      ///< an unused line
   continued,  ///< a `+` line of the statement above
-  test,       ///< the `+TEST` line of IF, ELSEIF or WHILE when it is jumped to
+  test,       ///< the `+TEST` line of IF, ELSEIF or WHILE as the target of a jump
   bad,        ///< an invalid line; a thread that reaches it is in error
 #define OPCODE(name, mnemonic, operands, lines) name,
 #include "core/devices/arcus/language/opcodes.def"
@@ -81,7 +78,7 @@ constexpr Operand quantity_operand(Quantity q, int index = 0) {
 }
 
 enum class Comparison : std::uint8_t { equal, greater, less, greater_or_equal, less_or_equal, not_equal };
-/// The last two have one operand: copy and complement.
+/// The last two operators, copy and complement, have one operand.
 enum class Operator : std::uint8_t {
   add,
   subtract,

@@ -73,7 +73,7 @@ class StructureCheck {
     if (!s.sound) return;
     const Statement*& known = heads[static_cast<std::size_t>(s.instruction.values[0].number)];
     if (known)
-      report(s, word + number_of(s) + " stands twice; the first is" + in_line(*known) + ".");
+      report(s, word + number_of(s) + " appears twice; the first is" + in_line(*known) + ".");
     else
       known = &s;
   }
@@ -87,13 +87,13 @@ class StructureCheck {
     }
     if (!unexpected_)
       report(s, "Put this before END or ENDSUB, or under a PRG or SUB: here it is outside any program.");
-    unexpected_ = true;  // once for a run of such lines
+    unexpected_ = true;  // reported once for several such lines in a row
   }
 
   void end_program(const Statement& s) {
     close_blocks();
     if (place_ == Place::sub) report(s, "A subroutine ends with ENDSUB, not with END.");
-    if (place_ == Place::outside && opened_by_) report(s, "There is no program here that could end.");
+    if (place_ == Place::outside && opened_by_) report(s, "There is no program above this END.");
     if (!opened_by_) opened_by_ = programs_[0] = &s;  // an empty program
     place_ = Place::outside;
   }
@@ -188,7 +188,7 @@ class StructureCheck {
   const std::vector<Statement>& statements_;
   std::vector<Problem>& problems_;
   Place place_ = Place::outside;
-  const Statement* opened_by_ = nullptr;  ///< the first statement of what is open now, or was last
+  const Statement* opened_by_ = nullptr;  ///< the first statement of the part that is open, or was last
   bool unexpected_ = false;
   std::vector<Block> blocks_;
   std::array<const Statement*, max_programs> programs_{};
@@ -215,10 +215,10 @@ class CallGraph {
     }
   }
   [[nodiscard]] const Statement* head(std::size_t sub) const { return heads_[sub]; }
-  /// A SUB whose line has a mistake may be any of them.
+  /// Whether the subroutine may exist: a SUB whose line has a mistake may be any subroutine.
   [[nodiscard]] bool may_be_there(std::size_t sub) const { return heads_[sub] || unread_head_; }
 
-  /// Levels of calls, this one included; more than any program may have if it calls itself.
+  /// Levels of calls from here, this subroutine included. If it calls itself: more than any program may have.
   int depth(std::size_t sub) {
     if (walking_[sub]) return endless;
     if (known_[sub] > 0) return known_[sub];
@@ -258,12 +258,11 @@ void check_calls(const std::vector<Statement>& statements, std::vector<Problem>&
     }
     const int depth = graph.depth(sub);
     if (in_sub || depth <= max_call_depth) continue;
-    problems.push_back(
-        problem_at(s, depth >= CallGraph::endless
-                          ? "The subroutines called from here call each other in a circle. Eight calls "
-                            "within calls are possible; the ninth is a program error."
-                          : "This leads to " + std::to_string(depth) +
-                                " calls within calls. Eight are possible; the ninth is a program error."));
+    problems.push_back(problem_at(s, depth >= CallGraph::endless
+                                         ? "The subroutines called from here call each other in a circle. "
+                                           "Calls nest eight deep at most; the ninth is a program error."
+                                         : "Calls from here nest " + std::to_string(depth) +
+                                               " deep. Eight is the most; the ninth is a program error."));
     problems.back().error = false;
   }
 }

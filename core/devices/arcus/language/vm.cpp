@@ -144,7 +144,7 @@ int Vm::line(int program, Instant now) const {
   return by_now.delay_at.value_or(by_now.line);
 }
 
-bool Vm::Thread::sees_to_error() const {
+bool Vm::Thread::handles_error() const {
   return std::any_of(frames.begin(), frames.begin() + depth,
                      [](const Frame& f) { return f.sub == error_subroutine; });
 }
@@ -153,7 +153,7 @@ void Vm::fail(Thread& thread, Trouble trouble, Turn turn) {
   thread.trouble = trouble;
   thread.loop = {};
   const auto handler = program_->subs[error_subroutine];
-  if (thread.sees_to_error() || !handler) {
+  if (thread.handles_error() || !handler) {
     thread.state = ThreadState::error;
     return;
   }

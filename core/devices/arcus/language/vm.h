@@ -35,7 +35,7 @@ enum class Trouble : std::uint8_t {
   division_by_zero,
   undefined_sub,
   too_deep,
-  bad_line,  ///< no program here
+  bad_line,  ///< the line holds no program
 };
 
 class Vm {
@@ -89,7 +89,7 @@ class Vm {
     std::optional<std::uint16_t> delay_at;  ///< line of the DELAY whose time has not passed
     LoopWatch loop;
     std::array<Frame, max_call_depth + 2> frames;  ///< one more for GS and one for SUB 31
-    [[nodiscard]] bool sees_to_error() const;      ///< somewhere in SUB 31
+    [[nodiscard]] bool handles_error() const;      ///< somewhere in SUB 31
   };
   /// The result of a statement.
   struct Next {

@@ -1,6 +1,6 @@
 #pragma once
-// The interpreter's interface to a controller. The emulator implements it, and tests a controller of their
-// own. All calls come from within Vm::run_turn and Vm::next_turn, on the caller's thread.
+// The interpreter's interface to a controller. The emulator implements it, and so do tests, with a controller
+// of their own. All calls come from within Vm::run_turn and Vm::next_turn, on the caller's thread.
 #include <array>
 #include <cstdint>
 
@@ -11,7 +11,7 @@ namespace hw::arcus::language {
 enum class Outcome {
   done,
   busy,   ///< not now: the thread stays at this statement and tries again (an axis still moves, AMB-113)
-  error,  ///< refused: what would be an error reply on the wire; the thread goes to SUB 31 (AMB-118)
+  error,  ///< refused, as by an error reply on the wire; the thread goes to SUB 31 (AMB-118)
 };
 
 enum class HomeMode : std::uint8_t { switch_only, limit, switch_and_index, index_only, switch_slow };
@@ -48,13 +48,13 @@ class VmHost {
   virtual void set_absolute(bool absolute) = 0;
   /// The axis is pulsing, or its StepNLoop still corrects (AMB-114).
   [[nodiscard]] virtual bool moving(int axis) const = 0;
-  /// A limit, alarm or StepNLoop error is latched (AMB-035, AMB-118; IERR takes it away).
+  /// A limit, alarm or StepNLoop error is latched (AMB-035, AMB-118; IERR clears it).
   [[nodiscard]] virtual bool in_error(int axis) const = 0;
 
   /// The axes of this axis's last motion that have had no other motion since.
   [[nodiscard]] virtual AxisSet moved_with(int axis) const = 0;
 
-  // The rest.
+  // Other effects.
   virtual void clear_error(int axis) = 0;
   virtual void arm_sync(int axis, bool on) = 0;
   /// STORE: parameters and V50 to V99 (from Vm::variable) into flash.

@@ -18,7 +18,7 @@ Vm::Next Vm::Statement::run() {
   const auto& code = vm_.program_->code;
   if (thread_.line >= code.size()) return fail(Trouble::bad_line);
   i_ = &code[thread_.line];
-  switch (i_->op) {  // what changes nothing; the rest below
+  switch (i_->op) {  // statements that change nothing; the others follow below
     case Opcode::empty:
     case Opcode::continued:
     case Opcode::bad: return fail(Trouble::bad_line);
@@ -163,7 +163,7 @@ Vm::Next Vm::Statement::compute_value() {
 Vm::Next Vm::Statement::wait() {
   // For an interpolated move WAIT may name any of its axes, and an error of any of them counts (AMB-114); SUB
   // 31 heeds only the axis it waits for.
-  const AxisSet together = thread_.sees_to_error() ? AxisSet() : host_.moved_with(i_->axes.first());
+  const AxisSet together = thread_.handles_error() ? AxisSet() : host_.moved_with(i_->axes.first());
   for (int axis = 0; axis < max_axes; ++axis)
     if (together.has(axis) && host_.in_error(axis)) return fail(Trouble::axis_in_error);
   const auto stands_still = obstacle(i_->axes);

@@ -133,7 +133,8 @@ TEST(ArcusCatalogs, TheAddressIsTwoDigitsAndNoBroadcast) {
   EXPECT_EQ(catalog("dmx-k-sa", "07")->address, 7);
   EXPECT_EQ(catalog("pmx-4ex-sa", "00")->address, 0);
   EXPECT_EQ(catalog("dmx-k-sa", "00").error().sentence(),
-            "id=00 addresses every DMX-K-SA on the line, and none answers. Nothing was opened. Give the two "
+            "id=00 is the address of every DMX-K-SA on the line, and no device replies to it. Nothing was "
+            "opened. Give the two "
             "digits of one device's name, 01 to 99.");
   EXPECT_FALSE(catalog("dmx-k-sa", "7"));
   EXPECT_FALSE(catalog("pmx-4ex-sa", "4EX00"));

@@ -146,7 +146,7 @@ TEST(ArcusExplain, ExplainsTraffic) {
     return explain(pmx_4ex_sa::model, known, bytes, Way::received, TrafficKind::intent, asked);
   };
   EXPECT_EQ(sent("@00JX+\r"), "to 00: runs one axis in the given direction until stopped");
-  EXPECT_EQ(sent("@00FOO\r"), "to 00: no command of the manual");
+  EXPECT_EQ(sent("@00FOO\r"), "to 00: not a command of the manual");
   EXPECT_EQ(came("OK\r", "@00JX+\r"), "done");
   EXPECT_EQ(came("?PULSING\r", "@00X5\r"),
             "refused: an axis of the command is moving, or under the joystick: stop it, or wait until it is "
@@ -160,7 +160,7 @@ TEST(ArcusExplain, ExplainsTraffic) {
             "X at speed, home switch on")
       << "the manual's example";
   EXPECT_EQ(explain(dmx_k_sa::model, dmx_known, "@00STOP\r", Way::sent, TrafficKind::stop, {}),
-            "to all devices, none answers: ramps down to low speed and stops");
+            "to all devices, no reply: ramps down to low speed and stops");
 }
 
 }  // namespace

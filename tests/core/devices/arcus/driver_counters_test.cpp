@@ -133,7 +133,7 @@ TEST_F(Counters, AxesOnAStraightLineEndTogether) {
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::nothing) << "not at its target, and nobody else has stopped it";
 }
 
-TEST_F(Counters, AMoveToZeroThatIsOverBeforeAnybodyLooksIsNoPowerCycle) {
+TEST_F(Counters, AMoveToZeroBetweenTwoRoundsIsNoPowerCycle) {
   for (const std::string_view model : {four_axes, closed_loop}) {
     start(model);
     for (const std::int64_t from : {13, -7, 100}) {

@@ -49,7 +49,7 @@ TEST_F(StopAtAnyTime, AListOfMovesBehindAFullBufferDoesNotBegin) {
   }
 }
 
-TEST_F(StopAtAnyTime, AStoreThatItCutsShortNamesNoTimeThatNobodyWaited) {
+TEST_F(StopAtAnyTime, AStoreThatItCutsShortNamesNoWaitingTime) {
   start(dmx);
   loop->lose(9);
   const IntentId id = post(intent::Store());
@@ -84,7 +84,7 @@ TEST_F(StopAtAnyTime, ASpeedThatCannotBePutBackIsNamedWhenTheConsoleIsClosed) {
   const auto out = [&] { return loop->to_controller.find("HS=5000") != std::string::npos; };
   ASSERT_TRUE(run_until(out, 2));
   run(0.01);
-  EXPECT_THAT(pump->leaves_behind(), HasSubstr("HS is 5000 for one motion; it was 1000"));
+  EXPECT_THAT(pump->leaves_behind(), HasSubstr("Set HS=1000 before the next motion: HS is still 5000"));
   asio::co_spawn(io, pump->shut_down(), asio::detached);
   const Instant closed = time.now();
   ASSERT_TRUE(run_until([&] { return latest.link.state == LinkState::closed; }, 12));

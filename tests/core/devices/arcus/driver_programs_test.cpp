@@ -63,12 +63,11 @@ TEST_F(Programs, OneWhoseTransferWasBrokenOffDoesNotRun) {
     ASSERT_TRUE(run_until([&] { return latest.transfer.done > 10; }, 60));
     ASSERT_EQ(perform(intent::Stop()), "");
     ASSERT_TRUE(run_until([&] { return outcome(loading) != IntentState::pending; }, 10));
-    EXPECT_THAT(
-        std::string(pump->known().outcome_of(loading)->sentence.view()),
-        testing::MatchesRegex("A stop came first. The stored code is now neither the old program nor "
-                              "the new one: the first [0-9]+ of its 101 lines are written, and the other "
-                              "lines are those of the old program. Download it again before anything "
-                              "runs it."));
+    EXPECT_THAT(std::string(pump->known().outcome_of(loading)->sentence.view()),
+                testing::MatchesRegex(
+                    "A stop came first. The stored code is now neither the old program nor "
+                    "the new one: the first [0-9]+ of its 101 lines are written, and the other "
+                    "lines are those of the old program. Download the program again before it is run."));
     EXPECT_EQ(latest.slot_bytes_used[0], -1) << "how much it is, is not known";
     EXPECT_THAT(perform(intent::RunProgram(0)),
                 HasSubstr("its transfer was broken off, or it reads back differently. Nothing was started."));
@@ -131,8 +130,9 @@ TEST_F(Programs, OneThatATextHasStartedIsNotWrittenOver) {
     start(model);
     ASSERT_EQ(load(0, "WHILE 1=1\nV1=V1+1\nENDWHILE\nEND\n"), "");
     EXPECT_EQ(query("SR0=1"), "OK");
-    EXPECT_THAT(load(0, "X300\nEND\n"), HasSubstr("Program 0 runs, and all programs share the stored code."));
-    EXPECT_THAT(perform(intent::ClearProgram(0)), HasSubstr("Program 0 runs"));
+    EXPECT_THAT(load(0, "X300\nEND\n"),
+                HasSubstr("Program 0 is running, and all programs share the stored code."));
+    EXPECT_THAT(perform(intent::ClearProgram(0)), HasSubstr("Program 0 is running"));
     perform(intent::Stop());
     run(1);
     next_model();
@@ -176,7 +176,7 @@ TEST_F(Programs, OneThatIsNotThereDoesNotRun) {
 }
 
 // It has ended before its state can be asked.
-TEST_F(Programs, AShortOneThatSomebodyElseStoredRuns) {
+TEST_F(Programs, AShortProgramStoredByAnotherRuns) {
   start("dmx-k-sa");
   ASSERT_EQ(query("SA0=PRG,1"), "OK");
   ASSERT_EQ(query("SA1=SET,V1,7"), "OK");
@@ -192,15 +192,15 @@ TEST_F(Programs, AShortOneThatSomebodyElseStoredRuns) {
 TEST_F(Programs, WhereNoneRunsNothingIsPausedOrGoesOn) {
   for (const std::string_view model : both) {
     start(model);
-    EXPECT_EQ(perform(intent::Pause()), "No program runs. Nothing was sent.");
+    EXPECT_EQ(perform(intent::Pause()), "No program is running. Nothing was sent.");
     EXPECT_EQ(perform(intent::Resume()), "No program is held. Nothing was sent.");
     ASSERT_EQ(load(0, "WHILE 1=1\nV1=V1+1\nDELAY=10\nENDWHILE\nEND\n"), "");
     ASSERT_EQ(perform(intent::RunProgram(0)), "");
-    EXPECT_EQ(perform(intent::Pause(1)), "Program 1 does not run. Nothing was sent.");
+    EXPECT_EQ(perform(intent::Pause(1)), "Program 1 is not running. Nothing was sent.");
     EXPECT_EQ(perform(intent::Resume(0)), "Program 0 is not held. Nothing was sent.");
     EXPECT_EQ(perform(intent::Pause()), "");
     EXPECT_EQ(latest.threads[0].run, RunState::held);
-    EXPECT_EQ(perform(intent::Pause()), "No program runs. Nothing was sent.");
+    EXPECT_EQ(perform(intent::Pause()), "No program is running. Nothing was sent.");
     EXPECT_EQ(perform(intent::Resume(0)), "");
     EXPECT_EQ(latest.threads[0].run, RunState::running);
     next_model();

@@ -93,13 +93,13 @@ INSTANTIATE_TEST_SUITE_P(
     Of, BrokenReplies,
     testing::Values(
         BrokenReply{"TooManyNumbers", ended("1:2:3"),
-                    "answered 1:2:3 to PX, which is not a valid answer. It was asked twice."},
-        BrokenReply{"NoNumber", ended("12x"), "answered 12x to PX, which is not a valid answer"},
-        BrokenReply{"Nothing", ended(""), "answered with an empty text to PX, which is not a valid answer"},
-        BrokenReply{"Unprintable", ended("\x01\xFE"), "answered <01><FE> to PX, which is not a valid answer"},
+                    "answered 1:2:3 to PX, which is not a valid reply. It was asked twice."},
+        BrokenReply{"NoNumber", ended("12x"), "answered 12x to PX, which is not a valid reply"},
+        BrokenReply{"Nothing", ended(""), "answered with an empty text to PX, which is not a valid reply"},
+        BrokenReply{"Unprintable", ended("\x01\xFE"), "answered <01><FE> to PX, which is not a valid reply"},
         BrokenReply{"TooManyDigits", ended("99999999999999999999"),
-                    "99999999999999999999 to PX, which is not a valid answer"},
-        BrokenReply{"AnOkToAQuestion", ended("OK"), "answered OK to PX, which is not a valid answer"},
+                    "99999999999999999999 to PX, which is not a valid reply"},
+        BrokenReply{"AnOkToAQuestion", ended("OK"), "answered OK to PX, which is not a valid reply"},
         BrokenReply{"ARefusal", ended("?PX"), "refused PX with ?PX"},
         BrokenReply{"OfAnotherDevice", ended("#050"), "Device 01 was asked PX, and device 05 answered."},
         BrokenReply{"WithoutItsEnd", "123", "stopped in the middle"},
@@ -135,7 +135,7 @@ TEST_F(OneReply, LineFeedsBehindTheAnswersAreReported) {
 TEST_F(OneReply, ANameThatIsNotItsAddressIsReported) {
   meet("dmx-k-sa", [](Liar& device) { device.instead["DN"] = ended("DMK07"); });
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(reported("It answers at 01, and its name has been set to DMK07: it will answer at 07"));
+  EXPECT_TRUE(reported("The device answers at 01, but its name is set to DMK07: it will answer at 07"));
   TearDown();
   meet("dmx-k-sa", [](Liar& device) { device.instead["DN"] = ended("STAGE"); });
   EXPECT_EQ(latest.link.state, LinkState::good);
@@ -185,7 +185,7 @@ TEST_F(OneReply, CodeOfAnotherProgramIsShownLineByLineAndReported) {
   EXPECT_THAT(program_text(), AllOf(HasSubstr("X400"), HasSubstr("17 4 0 FF"), HasSubstr("V1=1")));
   EXPECT_TRUE(reported("1 line of the stored code cannot be read here: line 1 (17 4 0 FF)."))
       << all_notices();
-  EXPECT_TRUE(reported("If you send the text back unchanged, it leaves it out.")) << all_notices();
+  EXPECT_TRUE(reported("If you send the text back unchanged, the controller loses it.")) << all_notices();
 }
 
 TEST_F(OneReply, ALineThatIsNoTextIsRefusedNotSwallowed) {

@@ -95,7 +95,7 @@ TEST_F(Subroutine, OneWhoseCallWasNotConfirmedMayRun) {
   EXPECT_THAT(stop(), HasSubstr("subroutine"));
 }
 
-TEST_F(Subroutine, OneThatNobodyHasReadMayDoAnything) {
+TEST_F(Subroutine, AnUnreadSubroutineMayDoAnything) {
   start(pmx);
   ASSERT_EQ(load("SUB 1\nV1=1\nENDSUB\n"), "");
   ASSERT_EQ(query("SA9=END"), "OK");

@@ -96,7 +96,7 @@ TEST_F(DriverTest, WhateverTheDriverAsksTheHelpKnows) {
     traffic.drain([&](const TrafficEntry& e) {
       if (e.way != Way::sent) return;
       const std::string words = type->explain(e.bytes, e.way, e.kind, {});
-      if (words.find("no command of the manual") != words.npos) unknown.insert(e.bytes);
+      if (words.find("not a command of the manual") != words.npos) unknown.insert(e.bytes);
     });
     EXPECT_THAT(unknown, testing::IsEmpty()) << model;
     latest = Snapshot();
@@ -115,7 +115,7 @@ TEST_F(DriverTest, OnlyCommandsStandBesideThePolls) {
   EXPECT_EQ(sent(), "X50000 STOP SR0=0 SR1=0 SR2=0 SR3=0 STOP SLTX=25");
 }
 
-TEST_F(DriverTest, WhoDidNotAnswerATextForAnotherDeviceIsNamed) {
+TEST_F(DriverTest, ASilentDeviceThatATextAddressedIsNamed) {
   start(dmx);
   EXPECT_EQ(query("@44PX=0"), "fault: Device 44 did not answer PX=0 in time.");
 }
@@ -207,12 +207,12 @@ TEST_F(Restart, AtZeroASpeedThatIsNeverStoredShowsIt) {
   EXPECT_TRUE(reported("HSPD read 5000 and now reads 1000")) << all_notices();
 }
 
-TEST_F(Restart, AtZeroMotorPowerThatNobodyHasSwitchedShowsIt) {
+TEST_F(Restart, AtZeroUnexplainedMotorPowerShowsIt) {
   start(pmx);
   ASSERT_EQ(perform(intent::SetPower(2, true)), "");
   run(5);
   power_cycle();
-  EXPECT_TRUE(reported("Motor power went off, and no command that was sent does this")) << all_notices();
+  EXPECT_TRUE(reported("Motor power went off, although no command switched it")) << all_notices();
   EXPECT_EQ(latest.restarts, 1u);
   EXPECT_TRUE(latest.axes[0].trust.doubtful());
 }
@@ -760,7 +760,7 @@ TEST_F(DriverTest, ARunningProgramIsNotOverwritten) {
   start(pmx);
   ASSERT_EQ(perform(intent::LoadProgram(0, "WHILE 1=1\nV1=V1+1\nDELAY=10\nENDWHILE\nEND\n")), "");
   ASSERT_EQ(perform(intent::RunProgram(0)), "");
-  EXPECT_THAT(perform(intent::LoadProgram(0, "END\n")), HasSubstr("Program 0 runs"));
+  EXPECT_THAT(perform(intent::LoadProgram(0, "END\n")), HasSubstr("Program 0 is running"));
   EXPECT_EQ(perform(intent::Pause(0)), "");
   EXPECT_EQ(latest.threads[0].run, RunState::held);
   EXPECT_EQ(perform(intent::Resume(0)), "");
@@ -784,8 +784,7 @@ TEST_F(DriverTest, ARenamedDeviceThatIsGoneIsFollowedWithItsNewAddress) {
   run(5);
   EXPECT_THAT(
       std::string(latest.link.sentence.view()),
-      HasSubstr("Open it with id=07: it was given address 07, which takes effect when its power has been "
-                "switched off and on."));
+      HasSubstr("Open it with id=07: it was given address 07, which takes effect at the next power-up."));
 }
 
 // ---- the wire

@@ -89,7 +89,7 @@ TEST_F(GuardOnTheWire, ATimeOutThatTheUserSetsStaysAndNoJogOverwritesIt) {
   EXPECT_EQ(
       jog(),
       "TOC is 5000, and the guard in the controller would set it to 0 after each jog. The jog was not sent. "
-      "Set TOC to 0, or take the guard away and install it again.");
+      "Set TOC to 0, or remove the guard and install it again.");
   run(2);
   EXPECT_THAT(sent(), AllOf(Not(HasSubstr("SR3=1")), Not(HasSubstr("TOC="))));
   EXPECT_EQ(query("TOC"), "5000");

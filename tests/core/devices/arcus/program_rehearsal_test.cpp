@@ -125,8 +125,8 @@ TEST_P(ArcusRehearsal, AValueThatTheRegisterCannotHoldIsAnErrorOfTheProgram) {
     const std::string name(register_);
     const auto r = rehearse(("V1=999999999\n" + name + "=V1\nEND\n").c_str());
     ASSERT_TRUE(r) << r.error().sentence();
-    EXPECT_EQ(r->error,
-              "Program 0, line 2, stopped with an error: " + name + " cannot be given the value of V1 here.");
+    EXPECT_EQ(r->error, "Program 0, line 2, stopped with an error: " + name +
+                            " cannot be set to the value of V1 here.");
     EXPECT_EQ(r->axes[0].position, 0);
   }
   const auto complement = rehearse("DO=3\nV1=~DO\nDO=V1\nEND\n");
@@ -157,10 +157,10 @@ TEST_P(ArcusRehearsal, ReportsWhyAProgramStoppedInError) {
   };
   EXPECT_EQ(why("V1=5/V2\nEND\n"), "Program 0, line 1, stopped with an error: a division by zero.");
   EXPECT_EQ(why("GOSUB 1\nEND\nSUB 1\nGOSUB 1\nENDSUB\n"),
-            "Program 0, line 4, stopped with an error: it calls deeper than eight subroutines.");
+            "Program 0, line 4, stopped with an error: its calls nest more than eight deep.");
   EXPECT_EQ(why("JOGX+\nWAITX\nEND\n", "[axis.X]\nplus = 500\n"),
-            "Program 0, line 2, stopped with an error: a limit switch has stopped an axis of it, and nothing "
-            "cleared the error.");
+            "Program 0, line 2, stopped with an error: a limit switch has stopped one of its axes, and "
+            "nothing has cleared the error.");
 }
 
 TEST_P(ArcusRehearsal, ATextWithoutProgram0HasNothingToStart) {
@@ -275,8 +275,8 @@ TEST_P(ArcusRehearsal, AnAxisThatIsInErrorHoldsItsProgram) {
   const auto r = type.language().rehearse("DO1=1\nX100\nEND\n", options);
   ASSERT_TRUE(r) << r.error().sentence();
   EXPECT_EQ(r->error,
-            "Program 0, line 2, stopped with an error: a limit switch has stopped an axis of it, and nothing "
-            "cleared the error.");
+            "Program 0, line 2, stopped with an error: a limit switch has stopped one of its axes, and "
+            "nothing has cleared the error.");
 }
 
 TEST_P(ArcusRehearsal, ALimitIsReportedWithAxisDirectionLineAndTime) {
@@ -304,7 +304,7 @@ TEST(PmxRehearsal, ReportsWhyEachProgramStopped) {
                          options);
   ASSERT_TRUE(r) << r.error().sentence();
   EXPECT_EQ(r->error,
-            "Program 1, line 10, stopped with an error: DO cannot be given the value of V8 here. Program 0, "
+            "Program 1, line 10, stopped with an error: DO cannot be set to the value of V8 here. Program 0, "
             "line 4, stopped with an error: a division by zero.");
   ASSERT_EQ(r->stops.size(), 2u);
   EXPECT_EQ(r->stops[0].line, 9);
@@ -330,7 +330,7 @@ TEST_P(ArcusRehearsal, ALoopWithoutEndIsReportedWithItsLines) {
   const auto long_one = rehearse("V1=1\nWHILE V1<999\nV1=V1+1\nDELAY=100\nENDWHILE\nEND\n", 5);
   ASSERT_TRUE(long_one);
   EXPECT_FALSE(long_one->endless);
-  EXPECT_NE(long_one->error.find("the loop of lines 2 to 5 was going round"), std::string::npos)
+  EXPECT_NE(long_one->error.find("the loop of lines 2 to 5 had not ended"), std::string::npos)
       << long_one->error;
 }
 
@@ -371,7 +371,7 @@ TEST(DmxRehearsal, OutputsOffDutyBringOutWhatPowerUpHasWritten) {
   EXPECT_EQ(r->outputs.at("2"), 0) << "it shows what was written";
   EXPECT_EQ(r->outputs.at("3"), 1);
   const auto named = [](const RehearsedAssumption& a) {
-    return a.name.find("behind its duty") != std::string::npos;
+    return a.name.find("last value written to") != std::string::npos;
   };
   EXPECT_EQ(std::count_if(r->assumptions.begin(), r->assumptions.end(), named), 2);
 }

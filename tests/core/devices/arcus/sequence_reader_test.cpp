@@ -34,8 +34,8 @@ TEST_F(ArcusReading, TheManualsLoopIsOne) {
              "  X1000\n  WAITX\n  V1=V1+1\nENDWHILE\nEND\n"),
       "Speed 200 from 10 mm/s, 300 ms\nown: EO=1\nLoop 10 times\n  Move to X 0\n  Until still X\n"
       "  Move to X 10\n  Until still X\n");
-  EXPECT_THAT(remarks, ElementsAre("The loop of line 6 counts in V49, as blocks do, not in V1.",
-                                   HasSubstr("Line 7 goes to a place or by a distance"),
+  EXPECT_THAT(remarks, ElementsAre("The loop of line 6 now counts in V49, as blocks do, instead of V1.",
+                                   HasSubstr("Line 7 moves to a place or by a distance"),
                                    "A remark after a command is not shown."));
 }
 
@@ -82,7 +82,7 @@ TEST_F(ArcusReading, ByADistanceIsReported) {
 TEST_F(ArcusReading, AxesOfDifferentUnitsAreReadInSteps) {
   frame.axes[1].per_unit = 25;
   EXPECT_EQ(blocks("ABS\nHSPD=500\nX100Y50\nEND\n"), "Speed 500 pulses/s\nMove to X 100, Y 50\n");
-  EXPECT_THAT(remarks, ElementsAre(HasSubstr("it is in pulses")));
+  EXPECT_THAT(remarks, ElementsAre(HasSubstr("speeds are in pulses")));
 }
 
 TEST_F(ArcusReading, WhatHasNoPlaceInBlocksIsRefusedByItsLine) {

@@ -93,7 +93,7 @@ TEST_F(ArcusSequence, AnArcNeedsToKnowWhereItBegins) {
   EXPECT_THAT(write({{to(10, 0)}, {seq::Arc{0, 0, 90}}}), HasSubstr("ellipse"));
   s.axes = {{"X"}, {"Y"}, {"Z"}};
   EXPECT_THAT(write({{to(10, 0)}, {seq::Arc{0, 0, 90, {}, {0, 2}}}}),
-              HasSubstr("Step 2 (arc): a PMX draws arcs with X and Y only, and this one lies in X and Z."));
+              HasSubstr("Step 2 (arc): a PMX draws arcs only with X and Y, and this arc lies in X and Z."));
   s.axes = {{"X", 1e5}, {"Y", 1e5}};
   EXPECT_THAT(write({{to(1342, 0)}, {seq::Arc{-1, 0, 90}}}),
               HasSubstr("its radius is 134300000 pulses; 134216773"));
@@ -130,7 +130,8 @@ TEST_F(ArcusSequence, EveryOtherStepIsAStatement) {
             "; a\n; b\nEO2=1\nJOGX-\nSTOPX\nABORT\nHOMEY+\nWAITY\nWHILE DI2=0\nENDWHILE\n"
             "ABS\nIF DI3=1\n  STOPY\n  WAITY\n  Y77\nENDIF\nIF DI4=0\n  JOGX-\nENDIF\nDO=165\n"
             "V49=0\nWHILE V49<4\n  DELAY=10\n  V49=V49+1\nENDWHILE\nV1=V2\nECLEARX\nEND\n");
-  EXPECT_THAT(write({{seq::Output{-1, true, 256}}}), HasSubstr("it has 8 outputs; 256 is too much"));
+  EXPECT_THAT(write({{seq::Output{-1, true, 256}}}),
+              HasSubstr("the controller has 8 outputs; the value 256 is too large"));
 }
 
 TEST_F(ArcusSequence, TheDmxHasOneAxisAndNoArcs) {

@@ -204,7 +204,7 @@ TEST_F(ProgramDownload, AbortedInTheMiddleItReportsWhatIsWrittenAndGoesOnFromThe
     EXPECT_THAT(sentence,
                 MatchesRegex("A stop came first. The stored code is now neither the old program nor the new "
                              "one: the first 1[0-9][0-9] of its 302 lines are written, and the other lines "
-                             "are those of the old program. Download it again before anything runs it."));
+                             "are those of the old program. Download the program again before it is run."));
     const int done = latest.transfer.done;
     EXPECT_FALSE(latest.transfer.running);
     EXPECT_EQ(latest.slots_torn, 1);
@@ -226,8 +226,8 @@ TEST_F(ProgramDownload, AbortedWhileItIsComparedAllIsWritten) {
   ASSERT_EQ(perform(intent::Stop()), "");
   EXPECT_THAT(end_of(loading),
               MatchesRegex("A stop came first. The stored code may not be the new program: all of its "
-                           "lines are written, and [0-9]+ of 302 were compared. Download it again before "
-                           "anything runs it."));
+                           "lines are written, and [0-9]+ of 302 were compared. Download the program again "
+                           "before it is run."));
   EXPECT_EQ(download(program()).writes, 0);
 }
 
@@ -239,7 +239,7 @@ TEST_F(ProgramDownload, ALinkThatIsLostInTheMiddleLeavesWhatIsReported) {
     loop->pull();
     EXPECT_THAT(end_of(loading), MatchesRegex(".*neither the old program nor the new one: the first "
                                               "1[0-9][0-9] of its 302 lines are written, and the other lines "
-                                              "are those of the old program. Download it again.*"));
+                                              "are those of the old program. Download the program again.*"));
     EXPECT_FALSE(latest.transfer.running);
     EXPECT_GE(latest.transfer.done, 100) << "the panel says it as long as it is so";
     EXPECT_EQ(latest.slots_torn, 1);

@@ -53,7 +53,7 @@ TEST(Vme58Check, MistakesAreNamedWhereTheyStand) {
       {"AX LE", 0, 3, "no LS before it"},
       {"AX LS2 LS2 LS2 LS2 LS2 LE LE LE LE LE", 0, 19, "4 deep"},
       {"AA CD0,0,0; CR0,0,3.14 CE", 0, 12, "this contour has 3"},
-      {"AA CD0,0; MT1,2,3 CE", 0, 10, "here are 3 numbers"},
+      {"AA CD0,0; MT1,2,3 CE", 0, 10, "3 numbers are given here"},
       {"AX BL14", 0, 3, "out of range"},
       {"AX MR1-2 GO", 0, 6, "not a command"},
       {"AA CD0,0; CD0,0; CE", 0, 10, "while a contour is recorded: CE or CK ends it"},
@@ -77,12 +77,12 @@ TEST(Vme58Check, AMissingModeIsReportedOnce) {
   ASSERT_EQ(verbatim.size(), 1u) << "the rest follows from it";
   EXPECT_EQ(verbatim[0].line, 1);
   EXPECT_THAT(verbatim[0].sentence,
-              HasSubstr("CD is taken only after AA or AM. The text after it is read as if AA"));
+              HasSubstr("CD is accepted only after AA or AM. The text after it is read as if AA"));
   EXPECT_EQ(errors("AX MT1,2; GO KP2 HN").size(), 1u) << "right for one axis";
   const auto others = errors("AX MT1,2; GO XQ AY MT3,4; GO AA KP2");
   ASSERT_EQ(others.size(), 4u) << "what does not follow from it is said, and a new one after a new selection";
   EXPECT_THAT(others[1].sentence, HasSubstr("XQ"));
-  EXPECT_THAT(others[2].sentence, HasSubstr("MT is taken"));
+  EXPECT_THAT(others[2].sentence, HasSubstr("MT is accepted"));
   EXPECT_THAT(others[3].sentence, HasSubstr("while one axis"));
 }
 
@@ -120,7 +120,8 @@ TEST(Vme58Check, WhatTheBoardMakesOfItIsAWarning) {
   EXPECT_EQ(warning("AX WT2.5"), "2.5 is taken as 2: WT takes whole numbers.");
   EXPECT_EQ(warning("AX KP2.5"), "");
   EXPECT_EQ(warning("BH3"),
-            "Line 3 is an input unless jumpers on the board say otherwise: the board rejects this then.");
+            "Line 3 is an input unless a jumper on the board makes it an output. The board rejects this "
+            "command for an input.");
   EXPECT_EQ(warning("BH8 BL13"), "");
 }
 

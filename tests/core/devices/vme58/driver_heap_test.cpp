@@ -7,7 +7,7 @@
 
 #include "tests/core/devices/vme58/driver_rig.h"
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef HW_SANITIZED
 
 namespace {
 std::atomic<bool> counting{false};

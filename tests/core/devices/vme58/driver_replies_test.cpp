@@ -222,7 +222,7 @@ TEST_F(Vme58Liar, AReplyThatIsNoStatusReportsNoEndOfTheTravel) {
   heals();
 }
 
-TEST_F(Vme58Liar, ACommandErrorThatNobodyCausedIsReported) {
+TEST_F(Vme58Liar, AnUnexplainedCommandErrorIsReported) {
   bool once = true;
   lie = [&once](BusCycle& c) {
     if (c.offset == vme58::reg::status && std::exchange(once, false)) c.value |= vme58::status::command_error;

@@ -34,7 +34,7 @@ class SlowBus final : public Window {
 
 class Vme58Rig : public testing::Test {
  protected:
-  Vme58Rig() : Vme58Rig({}) {}
+  Vme58Rig() : Vme58Rig(DeviceOptions{}) {}
   explicit Vme58Rig(DeviceOptions o) : options(std::move(o)) {}
   void SetUp() override {
     open();

@@ -515,7 +515,7 @@ TEST_F(Vme58Driver, WhileAContourIsRecordedTheConsoleSendsNothingOfItsOwn) {
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(400)}})).state, IntentState::done);
 }
 
-TEST_F(Vme58Driver, TheWindowsImageAndQueuesAreThereForWhoLooks) {
+TEST_F(Vme58Driver, TheWindowsImageAndQueuesAreReadWhileWatched) {
   session->send(intent::Watch(0x7));
   ASSERT_TRUE(query("AX VL100 MR1000000 GO WT5 WT6"));
   run(Seconds(2));
@@ -567,7 +567,7 @@ class Vme58OfOtherJumpers : public Vme58Rig {
   Vme58OfOtherJumpers() { board_is.emplace()["jumpers"] = "OII"; }
 };
 TEST_F(Vme58OfOtherJumpers, LinesThatGoAnotherWayThanIsShownAreReported) {
-  EXPECT_THAT(reported(), HasSubstr("Open it with jumpers=OII in its address"));
+  EXPECT_THAT(reported(), HasSubstr("Open the board with jumpers=OII in its address"));
 }
 TEST_F(Vme58Driver, LinesThatGoAsShownAreNotReported) {
   EXPECT_THAT(reported(), testing::Not(HasSubstr("jumpers")));
@@ -602,7 +602,7 @@ TEST_F(Vme58Driver4s4, KilledAtSpeedAStepAxisMayStandElsewhere) {
   EXPECT_THAT(
       reported(),
       HasSubstr(
-          "Axis U may have lost steps, as it was stopped without a ramp at 5000 counts/s, above 2000 (VB)"));
+          "Axis U may have lost steps: it was stopped without a ramp at 5000 counts/s, above 2000 (VB)"));
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{4}, Steps(0)}})).state, IntentState::refused);
   EXPECT_EQ(perform(intent::MoveTo({{AxisId{0}, Steps(0)}})).state, IntentState::done);
 }

@@ -128,7 +128,7 @@ TEST_F(Vme58Truth, AMoveThatAResetByTextEndsIsLost) {
   EXPECT_EQ(outcome.state, IntentState::done) << outcome.sentence.view();
   EXPECT_NE(wait().reason, "");
   run(Seconds(3));
-  EXPECT_THAT(wait().reason, HasSubstr("Axis X was lost sight of while it moved"));
+  EXPECT_THAT(wait().reason, HasSubstr("Axis X was moving when the console lost track of it"));
   EXPECT_EQ(axis().ended_by, EndedBy::lost);
   EXPECT_EQ(now().restarts, 1u);
   ASSERT_EQ(move_by(100).state, IntentState::done);
@@ -180,7 +180,7 @@ TEST_F(Vme58Truth, AMoveThatAnotherProgramStopsIsReportedAsStopped) {
   ASSERT_EQ(move_by(100000).state, IntentState::done);
   run(Seconds(1));
   ASSERT_TRUE(query("SA"));
-  EXPECT_THAT(wait().reason, HasSubstr("stopped from elsewhere"));
+  EXPECT_THAT(wait().reason, HasSubstr("was stopped by the controller's Stop button"));
 }
 
 TEST_F(Vme58Truth, AMoveThatIsRejectedLeavesATypedJogAsItIs) {
@@ -349,7 +349,7 @@ class Vme58TruthOfSteps : public Vme58Truth {
  protected:
   Vme58TruthOfSteps() { options = {{"variant", "4e"}}; }
 };
-TEST_F(Vme58TruthOfSteps, ASlipIsReportedOnceAndStaysForWhoeverAsks) {
+TEST_F(Vme58TruthOfSteps, ASlipIsReportedOnceAndStillAnswersQuestions) {
   ASSERT_TRUE(query("AX ES20 VL2000"));
   operate(bench::Jam(AxisId{0}, true));
   ASSERT_EQ(move_by(2000).state, IntentState::done);
@@ -373,7 +373,7 @@ TEST_F(Vme58TruthOfSteps, AnAxisThatASlipHasStoppedIsReportedAsSlipped) {
   ASSERT_TRUE(query("AX ES20 TN VL2000"));
   operate(bench::Jam(AxisId{0}, true));
   ASSERT_EQ(move_by(2000).state, IntentState::done);
-  EXPECT_THAT(wait().reason, HasSubstr("Axis X has slipped, and was stopped because of that"));
+  EXPECT_THAT(wait().reason, HasSubstr("Axis X was stopped, because it has slipped"));
 }
 
 // ---- echo

@@ -183,7 +183,8 @@ bool has_case(std::string_view id) { return all_cases().find(id) != all_cases().
 std::vector<std::string> cases_without_row() {
   std::vector<std::string> found;
   for (const auto& [id, body] : all_cases())
-    if (std::none_of(form_table().begin(), form_table().end(), [&](const Form& f) { return f.id == id; }))
+    if (std::none_of(form_table().begin(), form_table().end(),
+                     [&id = id](const Form& f) { return f.id == id; }))
       found.push_back(id);
   return found;
 }

@@ -171,7 +171,7 @@ TEST(Vme58Rehearsal, OutputsAreAllOfThemAndOnIsOne) {
   EXPECT_EQ(other.size(), 4u + 4 + 2 + 4);
   EXPECT_EQ(other.at("3"), 1);
   EXPECT_EQ(events_of(rehearse("AX BL8 WT5 BH8 AF AN RS")),
-            (Events{{0, "Out 8 on"}, {0, "the board starts afresh"}, {0, "Out 8 off"}}))
+            (Events{{0, "Out 8 on"}, {0, "the board restarts"}, {0, "Out 8 off"}}))
       << "RS comes at once, and the queue with what waits is gone";
   EXPECT_EQ(events_of(rehearse("AX BL8 WT5 BH8 AF AN")),
             (Events{{0, "Out 8 on"}, {0.005, "Out 8 off"}, {0.005, "Aux X off"}, {0.005, "Aux X on"}}));
@@ -354,7 +354,7 @@ TEST(Vme58Rehearsal, WhatNeverEndsIsReportedWithItsLine) {
   EXPECT_THAT(loop.error, HasSubstr("the loop that begins in line 2 (WH) has no end"));
   const Rehearsal jog = rehearse("AX VL1000 AC10000\nJG100\n", options);
   EXPECT_TRUE(jog.endless);
-  EXPECT_THAT(jog.error, HasSubstr("axis X moves on, sent by line 2"));
+  EXPECT_THAT(jog.error, HasSubstr("axis X is still moving, started by line 2"));
 }
 
 }  // namespace

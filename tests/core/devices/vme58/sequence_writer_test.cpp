@@ -102,9 +102,10 @@ TEST_F(Vme58Sequence, AnArcLiesInAnyTwoAxes) {
   c.steps = {{seq::Arc{0, 50, 90, {}, {2, 1}}}};
   EXPECT_EQ(write({{c}}), "AA\nCV500;\nCD,0,0;\nCR50,0,-1.570796327;\nCK\nMT,0,0; GO\nCX\n");
   c.steps = {{seq::Arc{0, 50, 90}}};
-  EXPECT_THAT(write({{c}}), HasSubstr("Step 1.1 (arc): the contour lies in Z and Y, and so do its arcs."));
+  EXPECT_THAT(write({{c}}),
+              HasSubstr("Step 1.1 (arc): the contour lies in Z and Y, and its arcs must lie there too."));
   c.steps = {{begin}};
-  EXPECT_THAT(write({{c}}), HasSubstr("Step 1.1 (move): the contour lies in Z and Y: nothing else moves"));
+  EXPECT_THAT(write({{c}}), HasSubstr("Step 1.1 (move): the contour lies in Z and Y, and no other axis"));
 }
 
 TEST_F(Vme58Sequence, AnArcByItselfIsAContourAndTheNextOneWaitsForIt) {
@@ -135,7 +136,7 @@ TEST_F(Vme58Sequence, SpeedStairsGoOneWay) {
               HasSubstr("a speed of 5000000000 steps/s"));
   seq::Repeat loop;
   loop.steps = {{seq::SpeedStairs{0, {{1000, 500}}, 2000}}};
-  EXPECT_THAT(write({{loop}}), HasSubstr("Step 1.1 (speed_stairs): speed stairs are in the queue"));
+  EXPECT_THAT(write({{loop}}), HasSubstr("Step 1.1 (speed_stairs): a speed staircase is in the queue"));
 }
 
 TEST_F(Vme58Sequence, WhatItCannotDoIsRefused) {
@@ -156,10 +157,10 @@ TEST_F(Vme58Sequence, WhatItCannotDoIsRefused) {
   EXPECT_THAT(write({{c}}), HasSubstr("Step 1.1 (output): Out 8 cannot be switched within a contour"));
   c.steps.clear();
   for (int n = 1; n <= 67; ++n) c.steps.push_back({to(n, 0)});
-  EXPECT_THAT(write({{c}}), HasSubstr("it has 201 entries, and the board keeps 200"));
+  EXPECT_THAT(write({{c}}), HasSubstr("it has 201 entries, and the board holds 200"));
   seq::Repeat loop;
   loop.steps = {{c}};
-  EXPECT_THAT(write({{loop}}), HasSubstr("cannot stand in a loop"));
+  EXPECT_THAT(write({{loop}}), HasSubstr("cannot be inside a loop"));
 }
 
 TEST_F(Vme58Sequence, TheToolIsNoPartOfItsOwnRoutines) {

@@ -106,8 +106,8 @@ TEST_F(VxmDriverConnect, NothingThereIsReportedWithWhatToLookAt) {
   ASSERT_TRUE(loop->operate(bench::Power(false)));
   open();
   EXPECT_EQ(latest.link.state, LinkState::lost);
-  EXPECT_THAT(health(), HasSubstr("Nothing answers to V, the VXM's question for its state"));
-  EXPECT_THAT(health(), HasSubstr("Nothing else was sent but a carriage return."));
+  EXPECT_THAT(health(), HasSubstr("Nothing answers V, the VXM's status query"));
+  EXPECT_THAT(health(), HasSubstr("Only V and a carriage return were sent."));
   EXPECT_THAT(health(), HasSubstr("9600, 19200 or 38400"));
 }
 
@@ -155,7 +155,7 @@ TEST_F(VxmDriverConnect, APulledCableIsReportedAndNothingIsSentAgain) {
   EXPECT_EQ(position(), 4000) << "it went on by itself";
   EXPECT_EQ(loop->to_controller.find('R'), std::string::npos) << "nothing was run again";
   EXPECT_TRUE(
-      reported("while the controller was at work. It has finished meanwhile; motor 1 stands at 4000 steps"))
+      reported("while the controller was busy. It has finished meanwhile; motor 1 stands at 4000 steps"))
       << all_notices();
   EXPECT_EQ(query("M"), "252") << "the user's program is there and selected";
   EXPECT_EQ(query("PM4,M"), "256") << "and nothing is left for the Run button";
@@ -168,7 +168,7 @@ TEST_F(VxmDriverConnect, ACableThatComesBackDuringTheMoveFollowsIt) {
   loop->pull();
   run(1);
   EXPECT_EQ(latest.link.state, LinkState::good);
-  EXPECT_TRUE(reported("It still is; motor 1 moves, and is at "));
+  EXPECT_TRUE(reported("It is still busy; motor 1 moves, and is at "));
   EXPECT_TRUE(wait_idle());
   EXPECT_EQ(position(), 8000);
 }

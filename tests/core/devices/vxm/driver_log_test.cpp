@@ -25,7 +25,7 @@ TEST_F(DriverLog, AStopFromItsAskingToItsEnd) {
     EXPECT_THAT(log.text(), HasSubstr(line));
 }
 
-TEST_F(DriverLog, AJogThatNobodyKeepsAlive) {
+TEST_F(DriverLog, AJogWithoutKeepAlives) {
   post(intent::JogStart(AxisId{0}, Sign::plus, Pps(1000)));
   hold(3);
   run(1);

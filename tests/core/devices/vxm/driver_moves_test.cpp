@@ -258,7 +258,7 @@ TEST_F(VxmDriverMoves, RefusesWhatCannotBe) {
             "Position 9000000 of motor 1 lies outside its range, -8388608 to 8388607. Nothing was sent.");
   EXPECT_EQ(move_by(0, 100, 7000),
             "A speed of 7000 is not possible. The range is 1 to 6000 steps/s. Nothing was sent.");
-  EXPECT_EQ(move_by(2, 100), "There is no motor 3 here. Nothing was sent.");
+  EXPECT_EQ(move_by(2, 100), "There is no motor 3. Nothing was sent.");
   move_by(0, 8000);
   EXPECT_EQ(move_by(1, 100),
             "Motor 1 is still moving, and a VXM does one thing at a time. Nothing was sent. Wait until it "

@@ -88,7 +88,7 @@ TEST_F(VxmDriverParams, NothingIsSetWhileAProgramRuns) {
   start();
   move_by(0, 4000);
   EXPECT_EQ(perform(intent::SetParam("j1M", 500)),
-            "The controller is busy and takes no program commands. Nothing was sent. Wait until "
+            "The controller is busy and accepts no program commands. Nothing was sent. Wait until "
             "it ends, or stop it.");
 }
 
@@ -107,7 +107,7 @@ TEST_F(VxmDriverTalk, QueriesGiveTheReplyWithoutItsEnd) {
   EXPECT_EQ(query("x"), "+0000000\r+0000000\r+0000000\r+0000000");
   EXPECT_EQ(query("K"), "^");
   EXPECT_EQ(query("I1M10,R", 5), "^");
-  EXPECT_EQ(query("C", 0.2), "fault: No answer came in 0.2 s.");
+  EXPECT_EQ(query("C", 0.2), "fault: No reply came within 0.2 s.");
 }
 
 TEST_F(VxmDriverTalk, TextIsSentAsItIsAndClosed) {
@@ -128,14 +128,15 @@ TEST_F(VxmDriverTalk, WhatTheControllerWouldDropSilentlyIsReported) {
   start();
   EXPECT_EQ(send("U10,"), "");
   EXPECT_TRUE(
-      reported("U10 is not possible, and the controller ignores it silently. It takes one of the manual's U "
-               "commands. It was sent as typed. Send it again with another number."))
+      reported("Send U10 again with another number: it takes one of the manual's U commands. U10 was sent as "
+               "typed, and the controller ignores it silently."))
       << all_notices();
   EXPECT_EQ(send("%"), "");
-  EXPECT_TRUE(
-      reported("% is no command of the VXM, and the controller ignores it silently. It was sent as typed."));
+  EXPECT_TRUE(reported(
+      "% is not a command of the VXM, and the controller ignores it silently. It was sent as typed."));
   EXPECT_EQ(send("S1M8000,"), "");
-  EXPECT_TRUE(reported("S1M8000 is not possible"));
+  EXPECT_TRUE(reported(
+      "Send S1M8000 again with another number: it takes 1 to 6000 steps/s. S1M8000 was sent as typed"));
   EXPECT_EQ(query("M"), "256");
 }
 
@@ -170,9 +171,8 @@ TEST_F(VxmDriverTalk, CommandsThatARunningMoveWouldSwallowAreRefused) {
   move_by(0, 4000);
   EXPECT_EQ(
       send("PM2"),
-      "A move from the console is under way, and the controller does not take PM2 during it. Nothing was "
-      "sent. Wait until it "
-      "ends, or stop it.");
+      "A move from the console is under way, and the controller does not accept PM2 during it. Nothing was "
+      "sent. Wait until the move ends, or stop it.");
   EXPECT_EQ(send("!"), "");
   EXPECT_TRUE(wait_idle());
 }

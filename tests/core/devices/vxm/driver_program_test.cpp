@@ -70,8 +70,8 @@ TEST_F(VxmDriverProgram, OnlyAMotorThatTheProgramTurnsIsWarnedOf) {
   start();
   perform(intent::LoadProgram(0, "S2M1000\nI1M7\n"));
   EXPECT_EQ(perform(intent::RunProgram(0)), "");
-  EXPECT_TRUE(reported("Motor 1 is set to type 0"));
-  EXPECT_FALSE(reported("Motor 2 is set to type 0"));
+  EXPECT_TRUE(reported("Choose the type of motor 1 in Setup"));
+  EXPECT_FALSE(reported("the type of motor 2"));
 }
 
 TEST_F(VxmDriverProgram, RefusesAWrongLineBeforeAnythingIsSent) {
@@ -95,7 +95,7 @@ TEST_F(VxmDriverProgram, RefusesATooLongProgramWithNumbers) {
   EXPECT_EQ(perform(intent::LoadProgram(3, text)),
             "Program 3 needs 260 bytes, 4 more than the 256 that it has. Nothing was sent; the controller "
             "keeps its programs. "
-            "Shorten it, or move a part into another program (JM).");
+            "Shorten the program, or move a part into another program (JM).");
   EXPECT_EQ(latest.slot_bytes_used[3], 0);
 }
 
@@ -218,7 +218,7 @@ TEST_F(VxmDriverProgram, AnErrorOfTheControllerIsExplainedAndWaitsForTheUser) {
   EXPECT_THAT(std::string(latest.notice.view()),
               HasSubstr("The controller reports EC: nonstop indexing has no U9"));
   EXPECT_THAT(move_by(0, 10),
-              HasSubstr("The controller accepts nothing until it gets K. Nothing was sent. Press Stop"));
+              HasSubstr("The controller accepts nothing until it receives K. Nothing was sent. Press Stop"));
   EXPECT_EQ(latest.link.state, LinkState::good) << "it was not asked in vain";
   sent();
   EXPECT_EQ(perform(intent::Stop()), "");
@@ -252,7 +252,7 @@ TEST_F(VxmDriverProgram, ABusErrorIsExplainedAndTheRestartNoticed) {
   EXPECT_EQ(send("I3M400,R"), "");
   run(2);
   EXPECT_TRUE(reported(
-      "The controller reports EB: a command for motor 3 or 4 was met, but no second controller answers"));
+      "The controller reports EB: it met a command for motor 3 or 4, but no second controller answers"));
   EXPECT_TRUE(reported("the controller was switched off and on, or reset"));
   EXPECT_EQ(latest.link.state, LinkState::good);
   EXPECT_EQ(latest.program.run, RunState::idle);

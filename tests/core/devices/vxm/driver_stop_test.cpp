@@ -124,15 +124,15 @@ TEST_F(VxmDriverStop, ASecondStopIsKAtOnceAndDoubtsAFastPosition) {
   EXPECT_TRUE(wait_idle());
   EXPECT_TRUE(latest.axes[0].trust.doubtful());
   EXPECT_EQ(latest.axes[0].ended_by, EndedBy::abort);
-  EXPECT_TRUE(reported(
-      "Motor 1 may have lost steps, as it was stopped without a ramp at about 2000 steps/s, above 1000: "
-      "its position is doubtful until it is homed or set to zero."))
+  EXPECT_TRUE(
+      reported("Motor 1 may have lost steps: it was stopped without a ramp at about 2000 steps/s, above "
+               "1000. Its position cannot be trusted until it is homed or set to zero."))
       << all_notices();
   EXPECT_EQ(perform(intent::SetPosition(0)), "");
   EXPECT_FALSE(latest.axes[0].trust.doubtful());
 }
 
-TEST_F(VxmDriverStop, AKThatNobodyConfirmsIsSentAgain) {
+TEST_F(VxmDriverStop, AnUnconfirmedKIsSentAgain) {
   start();
   move_to(0, 50000);
   run(3);
@@ -197,7 +197,7 @@ TEST_F(VxmDriverStop, AbortOfASlowMoveLosesNothing) {
   EXPECT_THAT(sent(), HasSubstr("S1M2000\rI1M10\r")) << "the speed of the move that was cut off is put right";
 }
 
-TEST_F(VxmDriverStop, SomebodyWhoJogsAtThePanelIsStopped) {
+TEST_F(VxmDriverStop, AJogAtThePanelIsStopped) {
   start();
   EXPECT_EQ(send("Q"), "");
   ASSERT_TRUE(loop->operate(bench::Button("1+", true)));

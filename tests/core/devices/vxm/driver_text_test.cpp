@@ -353,7 +353,7 @@ TEST_F(VxmDriverText, AnOlderPromptIsLeftToBeReadAndAnswersNothing) {
   EXPECT_EQ(query("R", 10), "^");
   EXPECT_NEAR(seconds(time.now() - asked), 3.0, 0.05) << "the prompt of this run: 4000 steps take 3 s";
   EXPECT_TRUE(wait_idle());
-  EXPECT_THAT(query("bogus", 0.2), HasSubstr("No answer came in 0.2 s."));
+  EXPECT_THAT(query("bogus", 0.2), HasSubstr("No reply came within 0.2 s."));
   EXPECT_EQ(unsolicited(), "^") << "that of the first run";
 }
 

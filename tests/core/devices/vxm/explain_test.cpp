@@ -27,7 +27,7 @@ TEST(VxmExplain, WhatIsSent) {
   EXPECT_EQ(sent("P-500,PA5,U15\r"), "store: wait 50 ms; store: output 1 on for 0.5 s; store: output 2 on");
   EXPECT_EQ(sent("setM1M3\rgetj2M"), "set the type of motor 1 to 3; ask for the first jog speed of motor 2");
   EXPECT_EQ(sent("S2M8000\r"), "S2M8000 is out of range (1 to 6000 steps/s): the controller drops it");
-  EXPECT_EQ(sent("%"), "no command of the VXM: %");
+  EXPECT_EQ(sent("%"), "not a command of the VXM: %");
   EXPECT_EQ(sent("\r"), "end of a command");
 }
 

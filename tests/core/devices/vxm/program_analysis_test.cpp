@@ -102,7 +102,7 @@ TEST(VxmAnalysis, NonsenseIsOneProblemForEachStretch) {
       sentences(report),
       ElementsAre("\"hello world\" is not a command of a VXM.", "S1M needs a number.",
                   "U10 belongs to the VP9000. A VXM does not know it.",
-                  "U106 is none of the commands that a Slave carries out for its Master.",
+                  "U106 is not among the commands that a Slave carries out for its Master.",
                   "There is no motor 7. Motors are 1 to 4.", "1 passes are not a loop. L takes 2 to 65535.",
                   "L-0 sets a loop marker in NF90 emulation only. LM0 does the same.",
                   "9000000 lies beyond the position register of motor 1. IA1M takes -8388608 to 8388607.",
@@ -124,7 +124,7 @@ TEST(VxmAnalysis, AReturnInTheMiddleOfALineEndsItsRemark) {
   EXPECT_EQ(std::count_if(report.lines[0].tokens.begin(), report.lines[0].tokens.end(), remarks), 3);
 }
 
-TEST(VxmAnalysis, WhatNobodyCanReadIsShownAsItsByte) {
+TEST(VxmAnalysis, AnUnreadableCharacterIsShownAsItsByte) {
   EXPECT_THAT(sentences(analyse("\x06,")), ElementsAre("\"\\x06\" is not a command of a VXM."));
 }
 
@@ -139,7 +139,7 @@ TEST(VxmAnalysis, PairsWarnAboutTheirOrder) {
 
 TEST(VxmAnalysis, NonstopBlocksAreChecked) {
   EXPECT_THAT(sentences(analyse("S1M1500,U7,I1M1000,I1M100,U9,IA1M0")), IsEmpty());
-  EXPECT_THAT(only(analyse("U7,I1M100,P10,U9")).sentence, HasSubstr("P10 cannot stand between U7 and U9"));
+  EXPECT_THAT(only(analyse("U7,I1M100,P10,U9")).sentence, HasSubstr("P10 is not allowed between U7 and U9"));
   EXPECT_THAT(only(analyse("U7,I1M100")).sentence, HasSubstr("no U9"));
   EXPECT_THAT(only(analyse("U7,I1M100,I2M100,U9")).sentence, HasSubstr("of one motor"));
   EXPECT_THAT(only(analyse("U77,I1M100,U92")).sentence, HasSubstr("right after it"));

@@ -51,7 +51,7 @@ TEST_F(VxmSequence, MotorsGoOneAfterTheOther) {
   EXPECT_EQ(write({{both}}), "IA1M600\nIA3M-400\n");
   EXPECT_THAT(remarks,
               ElementsAre(HasSubstr("motors on Master and Slave could start together"),
-                          "Step 1 (move): its motors go one after the other, not on a straight line."));
+                          "Step 1 (move): its motors move one after the other, not on a straight line."));
   EXPECT_EQ(write({{to(0)}, {to(-0.5, true)}, {to(0, true)}}), "IA1M0\nI1M-200\n")
       << "a relative move of nothing would be one to the limit switch";
 }
@@ -73,7 +73,7 @@ TEST_F(VxmSequence, InputsAreWaitedForInProgramsWhereNoCommandDoes) {
             "PM-0\nJM1\nJM1\nJM2\n"
             "PM-1 ; waits until input 2 is on\nP-10\nU22\nL0\n"
             "PM-2 ; waits until input 1 is off\nP-10\nU11\nL0\n");
-  EXPECT_THAT(write({{seq::WaitInput{3, true}}}), HasSubstr("the inputs 1 and 2 only"));
+  EXPECT_THAT(write({{seq::WaitInput{3, true}}}), HasSubstr("test only inputs 1 and 2"));
 }
 
 TEST_F(VxmSequence, AMoveOnInputIsLeftOutOtherwise) {

@@ -177,7 +177,7 @@ def a_word():
 
 
 def a_zero_byte():
-    return sound().replace(b"LINE", b"LI\x00E", 1), "line 16: there is a zero byte"
+    return sound().replace(b"LINE", b"LI\x00E", 1), "line 16: it contains a zero byte"
 
 
 def too_many_parts():

@@ -79,7 +79,7 @@ def polylines_of_programs():
     d = Dxf()
     d.old_polyline(16, [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], "it is a mesh", "71 2 72 2", 64)
     d.old_polyline(64, [(0, 0, 0), (1, 0, 0), (1, 1, 0)], "it is a mesh", "71 3 72 1", 192)
-    d.old_polyline(4, [(0, 0, 0), (50, 0, 0)], "it is smoothed by a spline that only its program knows", vertex_flags=8)
+    d.old_polyline(4, [(0, 0, 0), (50, 0, 0)], "it is smoothed by a spline that only the program that made it knows", vertex_flags=8)
     d.line_of(0, 0, 1, 0)
     d.hand("paths 1", "length 1  # the line", "box 0 0 1 0", "exact", "unit mm")
     return d
@@ -201,7 +201,7 @@ def splines_wrong():
     d.spline(8, 3, [], HILL, why="it has the wrong number of knots")
     d.spline(8, 3, [1] * 8, HILL, why="its knots span no range")
     d.spline(8, 3, CLAMPED, HILL[:3], why="it has too few control points")
-    d.spline(8, 0, CLAMPED, HILL, why="its degree is not possible")
+    d.spline(8, 0, CLAMPED, HILL, why="its degree is out of range")
     d.spline(12, 3, CLAMPED, HILL, [1, 1, -1, 1], why="a weight is not above 0")
     d.spline(12, 3, CLAMPED, HILL, [1, 0, 1, 1], why="a weight is not above 0")
     d.spline(8, 3, CLAMPED, [(5, 5)] * 4, why="it has no length")

@@ -247,7 +247,7 @@ def passed_over():
 
 def on_the_sheet():
     d = with_part()
-    sheet = "it is on the sheet, not in the model"
+    sheet = "it is in paper space, not in model space"
     d.line_of(0, 0, 5, 0)
     d.add("LINE", "67 1 10 0 20 0 11 297 21 210", sheet)
     insert(d, "67 1 10 0 20 0 30 0 41 50 42 50", sheet)

@@ -16,7 +16,7 @@ std::string why(const std::vector<std::string>& lines, const Dialect& dialect = 
 
 TEST(LowLevel, UnusedLinesAtTheEndDoNotCount) {
   std::vector<std::string> lines{"SET,V1,1", "END"};
-  lines.resize(max_lines);
+  lines.resize(program_lines);
   const Program program = decode(lines, pmx_4ex_sa());
   EXPECT_EQ(program.code.size(), 2U);
   EXPECT_EQ(decompile(lines, pmx_4ex_sa()).text, "V1=1\nEND\n");
