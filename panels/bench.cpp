@@ -37,7 +37,7 @@ Touch on_off(Frame& f, std::string_view id, std::string_view name, bool on, floa
 
 void Bench::draw(Frame& f) {
   if (f.rail) return draw_rail(f);
-  // In a narrow window it is one column among others, and moves as a whole.
+  // In a narrow window the bench is a column among others and scrolls as a whole.
   const bool alone = f.tier != Tier::narrow, folded = f.area.height <= lower_right_title;
   draw_title(f, folded);
   if (folded) return;
@@ -71,7 +71,7 @@ void Bench::draw_parts(Frame& f) {
   gap(f.ui, 12);
 }
 
-/// The fold button stands before the word, so that nothing else moves.
+/// The fold button is before the title, so that nothing else moves.
 void Bench::draw_title(Frame& f, bool folded) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -95,7 +95,7 @@ void Bench::draw_title(Frame& f, bool folded) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(lower_right_title)));
 }
 
-// ---- trouble of the whole device
+// ---- faults of the whole device
 
 void Bench::draw_trouble(Frame& f) {
   Ui& ui = f.ui;
@@ -136,8 +136,9 @@ void Bench::draw_supplies(Frame& f, Cells& cells) {
     ButtonOptions o;
     o.width = cells.cell();
     o.tip = "Trips the circuit breaker: the power goes off.";
-    o.disabled =
-        bit(f.bench.breakers_out, static_cast<std::size_t>(i)) ? "It has tripped. Push it in first." : "";
+    o.disabled = bit(f.bench.breakers_out, static_cast<std::size_t>(i))
+                     ? "Push the breaker in first: it has tripped."
+                     : "";
     const Path name = box.name.empty() ? Path("Trip breaker") : Path("{} breaker", box.name);
     if (button(f.ui, path_of("trip", box), name, o).clicked) f.operate_bench(bench::Breaker(i, true));
   }
@@ -150,7 +151,7 @@ void Bench::draw_inputs(Frame& f) {
   if (inputs.empty() && f.catalog.analog.empty()) return;
   section_title(f.ui, "Signals by hand", {}, 32);
   constexpr float lamp_width = 19, lamp_and_word = 60;
-  int columns = inputs.size() % 4 != 0 && inputs.size() % 3 == 0 ? 3 : 4;  // no row half empty
+  int columns = inputs.size() % 4 != 0 && inputs.size() % 3 == 0 ? 3 : 4;  // avoids a row that is half empty
   while (columns > 2 && !fit_in_cells(f.ui, f.area.width, columns, inputs, lamp_width)) --columns;
   const bool narrow = columns > 2 || !fit_in_cells(f.ui, f.area.width, columns, inputs, lamp_and_word);
   Cells cells(f.ui, f.area.width, columns, cell_pitch);

@@ -4,7 +4,7 @@
 
 namespace hw::panels {
 
-/// Manual control of the emulated device: its front panel, a row for each axis, and trouble.
+/// Manual control of the emulated device: its front panel, a row for each axis, and faults to provoke.
 class Bench final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;

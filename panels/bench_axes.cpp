@@ -18,7 +18,7 @@ namespace {
 
 constexpr float names_height = 20, bench_row = 32, slip_width = 44;
 
-/// Logical, from the left of the row.
+/// Columns of a row: logical pixels from its left.
 struct BenchColumns {
   float name, sign_cell, word_cell, slip;
 };
@@ -27,7 +27,7 @@ bool has_alarm(const Catalog& c) {
   return std::any_of(c.axes.begin(), c.axes.end(), [](const AxisInfo& axis) { return axis.alarm_input; });
 }
 
-/// A word in the titles needs more room than an icon.
+/// The columns for this frame. A word in the titles is wider than an icon.
 BenchColumns columns_in(const Frame& f, bool alarm) {
   constexpr float word_is_wider = 8;
   float name = 0;
@@ -60,7 +60,7 @@ void draw_titles(Frame& f, const BenchColumns& columns, bool alarm) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(names_height)));
 }
 
-/// The row of one axis of one controller.
+/// The row of an axis of a controller.
 class BenchRow {
  public:
   BenchRow(Frame& f, Tab& of, std::size_t axis, const BenchColumns& columns)
@@ -91,8 +91,9 @@ class BenchRow {
     toggle(Path("bench/home/{}", name_), "Home switch of", "it is pressed by hand.", bench.homes_by_hand,
            columns_.word_cell, [&](bool on) { return bench::HomeSwitch(id, on); });
     if (of_.catalog().axes[at_].alarm_input)
-      toggle(Path("bench/alarm/{}", name_), "Alarm of", "as its motor's driver would raise it.", bench.alarms,
-             columns_.word_cell, [&](bool on) { return bench::Alarm(id, on); });
+      toggle(Path("bench/alarm/{}", name_), "Alarm of",
+             "the alarm input is on, as the motor's driver would set it.", bench.alarms, columns_.word_cell,
+             [&](bool on) { return bench::Alarm(id, on); });
     draw_slip(id);
     ImGui::SetCursorScreenPos(ImVec2(top_left_.x, top_left_.y + ui.px(bench_row)));
   }
@@ -112,7 +113,7 @@ class BenchRow {
     ButtonOptions o;
     o.width = slip_width;
     o.height = 28;
-    const Path tip("Moves the load of {} by 100 unknown to the controller. An encoder shows it.", name_);
+    const Path tip("Moves the load of {} by 100 without a motor step. Only an encoder shows it.", name_);
     o.tip = tip;
     ImGui::SetCursorScreenPos(
         ImVec2(top_left_.x + f_.ui.px(columns_.slip), top_left_.y + f_.ui.px((bench_row - 28) / 2)));
@@ -126,7 +127,7 @@ class BenchRow {
   const BenchColumns& columns_;
   std::string_view name_;
   ImVec2 top_left_;
-  float x_ = 0;  ///< of the next cell, after the name
+  float x_ = 0;  ///< left of the next cell, in pixels
 };
 
 }  // namespace

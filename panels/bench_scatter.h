@@ -3,7 +3,7 @@
 
 namespace hw::panels {
 
-/// Repeatability of the switches, for all axes of a controller or a bus: `bench/scatter`.
+/// Draws the repeatability of the switches, common to all axes of a controller or a bus. Id: `bench/scatter`.
 void draw_switch_scatter(gui::Frame& frame);
 
 }  // namespace hw::panels

@@ -1,5 +1,6 @@
 #pragma once
-// Cells of a grid, row by row. All cells of a row are equally wide, and the last ends at the panel's edge.
+// The cells of a grid, row by row. All cells of a row are equally wide. The last cell ends at the panel's
+// edge.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -43,7 +44,7 @@ class Cells {
   float row_, pitch_;
 };
 
-/// Whether every name fits into one of `columns` cells across `width`, with `around` logical pixels beside
+/// Whether each name fits into a cell when `columns` cells share `width`, with `around` logical pixels beside
 /// it.
 template <class Named>
 bool fit_in_cells(const gui::Ui& ui, float width, int columns, std::span<const Named> names, float around) {

@@ -17,7 +17,7 @@ constexpr float hairline = 1, position_title = 44, steps_row = 32, speed_row = 3
 
 bool interpolates(const Frame& f) { return f.catalog.can.interpolates && f.catalog.axes.size() > 1; }
 
-/// Three and four axes in a wide window: as in the look, with all numbers in lines of the same height.
+/// Three or four axes in a wide window. All numbers are in lines of the same height.
 LeftColumn of_many(const Frame& f) {
   LeftColumn c;
   c.head = 24, c.caption = 17;
@@ -42,7 +42,7 @@ LeftColumn of_few(const Frame& f) {
   return c;
 }
 
-/// Height of the column without travel bars.
+/// The height of the column without travel bars.
 float height_of(const Frame& f, const LeftColumn& c) {
   const auto axes = static_cast<float>(f.catalog.axes.size());
   const float pad = axes < 2 ? c.cell : 3 * c.cell + 2 * close_between;
@@ -52,13 +52,13 @@ float height_of(const Frame& f, const LeftColumn& c) {
   return position_title + axes * c.block() + jog + go;
 }
 
-/// Of jog and Go where each axis has a row with jog buttons.
+/// The height of jog and Go where each axis has a row with jog buttons.
 float height_below_rows(const LeftColumn& c) {
   const float jog = c.title + c.reason + c.wide_stop + c.between_steps + steps_row + c.below_steps;
   return jog + hairline + above_go + 2 * c.go_row;
 }
 
-/// Rows of axes in a window too low for them.
+/// Makes the rows of axes lower in a low window, so that Go stays visible.
 void keep_go_in_view(LeftColumn& c) {
   c.title = 32, c.reason = 48, c.wide_stop = 32;
   c.between_steps = 4, c.below_steps = 0;
@@ -74,12 +74,12 @@ LeftColumn column_of(const Frame& f) {
   const bool wide = f.tier == Tier::wide, rows = axes > 4 || f.tab.bus;
   LeftColumn c = axes <= 2 ? of_few(f) : wide && !rows ? of_many(f) : LeftColumn{.above = 4, .below = 3};
   if (f.tier == Tier::medium) {
-    c.title = 36, c.reason = 52;  // one line more, because the column is narrower
+    c.title = 36, c.reason = 52;  // a line more, because the column is narrower
     c.speed_in_title = true;
     c.below_steps = 8;
     if (axes > 2)
       c.cell = std::min(48.0f, std::floor((f.area.width + 4) / (static_cast<float>(axes) + 1)) - 4);
-    if (axes > 2 && !rows) {  // keeps Go and Home in the lowest window of this kind too
+    if (axes > 2 && !rows) {  // keeps Go and Home visible in the lowest window of this kind
       c.above = 2, c.below = 1, c.title = 32, c.below_steps = 2;
       c.cell = std::min(40.0f, c.cell);
       c.go_row = 32, c.go_control = 28;

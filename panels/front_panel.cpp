@@ -39,7 +39,7 @@ bool has_captions(const BenchFacts& facts, int supply, int row) {
   });
 }
 
-/// Logical, from the top of the first row; for the row after the last: the end of all rows.
+/// Top of a row, logical, below the top of the first row. The row after the last gives the end of all rows.
 float top_of_row(const BenchFacts& facts, int supply, int row) {
   float top = 0;
   for (int above = 0; above < row; ++above)
@@ -47,7 +47,7 @@ float top_of_row(const BenchFacts& facts, int supply, int row) {
   return top;
 }
 
-/// The front panel of a second box need not repeat the box's name: "Slave Run" becomes "Run".
+/// A name without the name of its box, which the front panel shows: "Slave Run" becomes "Run".
 std::string_view without(std::string_view owner, std::string_view name) {
   const bool sentence = !owner.empty() && name.size() > owner.size() && name.starts_with(owner);
   return sentence ? name.substr(owner.size() + 1) : name;
@@ -162,7 +162,7 @@ void FrontPanels::draw_buttons(Frame& f, int supply, ImVec2 at, float width) {
         draw_text(ui, ImVec2(left, top), Face::small, ui[Tone::ink2], caption);
       }
       ImGui::SetCursorScreenPos(ImVec2(left, top + ui.px(captions ? caption_height : 0)));
-      // Wide enough for the last button to end with the row.
+      // The widths are rounded so that the last button ends with the row.
       draw_button(f, i, std::floor(x + cell) - std::floor(x));
       x += cell + close_between;
     }
@@ -190,29 +190,32 @@ void FrontPanels::draw_button(Frame& f, std::size_t i, float width) {
   }
 }
 
-/// A tripped breaker shows its white centre; pushing it in is the only manual action.
+/// A tripped breaker shows its white centre. The only manual action is to push it in.
 void FrontPanels::draw_breaker(Frame& f, int supply, ImVec2 at, float width) {
   Ui& ui = f.ui;
   const BenchSupply& box = f.catalog.bench.supplies[static_cast<std::size_t>(supply)];
   const bool out = bit(f.bench.breakers_out, static_cast<std::size_t>(supply));
   ImGui::SetCursorScreenPos(at);
-  const Touch t = touch(ui,
-                        {path_of("breaker", box), Kind::button, "Circuit breaker", out ? "out" : "in",
-                         out ? "" : "The breaker is in.", false, "It has tripped: no power. Push it in."},
-                        ui.px(width, 32));
+  const Touch t = touch(
+      ui,
+      {path_of("breaker", box), Kind::button, "Circuit breaker", out ? "out" : "in",
+       out ? "" : "The breaker is in.", false, "Push it in: the breaker has tripped, and there is no power."},
+      ui.px(width, 32));
   if (t.hovered) draw_fill(ui, t.rect, ui[Tone::hover]);
   const ImVec2 centre(t.rect.min.x + ui.px(10), std::floor(t.rect.centre().y));
   ImDrawList* list = ImGui::GetWindowDrawList();
   draw_icon(list, Icon::ring, centre, ui.px(18), ui[Tone::edge]);
   if (out) list->AddCircleFilled(centre, ui.px(7), ui[Tone::ink2]);
-  list->AddCircleFilled(centre, ui.px(out ? 6 : 4), ui[out ? Tone::on_stop : Tone::edge]);  // white is white
+  list->AddCircleFilled(centre, ui.px(out ? 6 : 4),
+                        ui[out ? Tone::on_stop : Tone::edge]);  // a real breaker is white in both themes
   draw_text_line(ui, t.rect.min.x + ui.px(26), t.rect.max.x, centre.y, out ? Face::small_bold : Face::small,
                  ui[out ? Tone::warn : Tone::ink2], out ? "Breaker tripped. Push it in" : "Breaker in");
   draw_ring(ui, t);
   if (t.clicked) f.operate_bench(bench::Breaker(supply, false));
 }
 
-/// Handles a lost window focus, and a release while the panel was not drawn.
+/// Releases the button when the window has lost the focus, or when the mouse was released while the panel was
+/// not drawn.
 void FrontPanels::release_forgotten(Frame& f) {
   if (pressed_.empty() || ImGui::IsMouseDown(0) || ImGui::IsAnyItemActive()) return;
   if (f.ui.focus.key_held(Path("bench/button/{}", pressed_))) return;

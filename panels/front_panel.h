@@ -1,5 +1,5 @@
 #pragma once
-// The drawn front panels of the emulated boxes: lamps, power switch, buttons to hold down, circuit breaker.
+// Draws the front panels of the emulated boxes: lamps, power switch, buttons to hold down, circuit breaker.
 // Ids: `bench/lamp/Power`, `bench/power`, `bench/button/Run`, `bench/breaker`; a second box appends its name.
 #include <string>
 
@@ -11,9 +11,9 @@
 namespace hw::panels {
 
 inline bool bit(std::uint32_t bits, std::size_t n) { return (bits >> n) & 1u; }
-/// The box has something to press or to see other than its switch.
+/// Whether the box has buttons or lamps beside its switch.
 bool has_front_panel(const BenchFacts& facts, int supply);
-/// The path of a widget that each supply has: "bench/power", for a second box "bench/power/Slave".
+/// The id of a widget that each supply has: "bench/power", for a second box "bench/power/Slave".
 Path path_of(std::string_view what, const BenchSupply& supply);
 
 class FrontPanels {
@@ -29,7 +29,7 @@ class FrontPanels {
   void draw_breaker(gui::Frame& frame, int supply, ImVec2 at, float width);
   void release_forgotten(gui::Frame& frame);
 
-  std::string pressed_;  ///< button held by the mouse
+  std::string pressed_;  ///< id of the button that the mouse holds
 };
 
 }  // namespace hw::panels

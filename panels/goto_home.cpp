@@ -25,15 +25,15 @@ using namespace gui;
 
 namespace {
 
-bool medium(const Frame& f) { return f.tier == Tier::medium; }  // narrower columns
+bool medium(const Frame& f) { return f.tier == Tier::medium; }  // its columns are narrower
 float go_width(const Frame& f) { return medium(f) ? 36 : 44; }
 float home_width(const Frame& f) { return medium(f) ? 34 : 42; }
 float apart(const Frame& f) { return medium(f) ? 4 : 8; }
 
-/// The name is a button if it can be chosen.
+/// Logical width of the name, which is a button if the axis can be chosen.
 float name_width_of(const Frame& f) { return can_go_together(f) ? 36 : f.catalog.axes.size() > 1 ? 20 : 28; }
 
-/// With many axes only the chosen one has a row, unless all are requested.
+/// With many axes only the chosen axis has a row, unless the user shows all.
 bool many(const Frame& f) { return f.catalog.axes.size() > 2; }
 float homes_width(const Frame& f) { return f.catalog.can.homes ? 2 * home_width(f) + close_between : 0; }
 
@@ -54,12 +54,12 @@ void GotoHome::draw(Frame& f) {
   ImGui::Dummy(ImVec2(1, 0));
 }
 
-// ---- one of many axes: two rows
+// ---- the chosen axis of many: two rows
 
-/// "X v [240.000 mm] at [20 mm/s] Go"; below it the way, the saved places and Home.
+/// Draws "X v [240.000 mm] at [20 mm/s] Go", and below it to or by, the saved places and Home.
 void GotoHome::draw_chosen(Frame& f) {
   Ui& ui = f.ui;
-  const AxisId axis = f.tab.chosen_axis;
+  const AxisId axis = f.tab.view.chosen_axis;
   const LeftColumn column = column_of(f);
   constexpr float name = 48;
   ImVec2 at = ImGui::GetCursorScreenPos();
@@ -87,7 +87,7 @@ void GotoHome::draw_chosen(Frame& f) {
   next_row();
 }
 
-/// Lit: the typed number is a distance.
+/// Draws the switch that makes the typed number a distance.
 void GotoHome::draw_by(Frame& f) {
   ButtonOptions o{
       .style = ButtonStyle::segment, .width = by_width, .height = column_of(f).go_control, .on = by_};
@@ -103,19 +103,20 @@ void GotoHome::draw_axis_choice(Frame& f, float width) {
   o.width = width;
   o.height = column_of(f).go_control;
   o.tip = "The axis to move. All axes: a row for each, and moves of several together.";
-  const int picked = dropdown(f.ui, "goto/axis", "Axis", names_, f.tab.chosen_axis.index, o);
+  const int picked = dropdown(f.ui, "goto/axis", "Axis", names_, f.tab.view.chosen_axis.index, o);
   if (picked < 0) return;
   all_ = picked == static_cast<int>(f.catalog.axes.size());
   if (all_) return;
-  if (f.tab.chosen_axis.index != picked) speed_.reset(), speed_.text.clear();  // it belonged to another axis
-  f.tab.chosen_axis = AxisId{static_cast<std::uint8_t>(picked)};
+  if (f.tab.view.chosen_axis.index != picked)
+    speed_.reset(), speed_.text.clear();  // the speed was typed for another axis
+  f.tab.view.chosen_axis = AxisId{static_cast<std::uint8_t>(picked)};
 }
 
 // ---- a row for each axis
 
 void GotoHome::draw_rows(Frame& f) {
-  follow_unit_of_speed(f.tab.unit(AxisId{0}));
-  speed_is_shown_ = true;  // in the title, or below the rows that already go by it
+  follow_unit_of_speed(f.tab.settings.unit(AxisId{0}));
+  speed_is_shown_ = true;  // the title, or a line below the rows, shows it
   draw_title(f);
   for (std::uint8_t i = 0; i < f.catalog.axes.size(); ++i) draw_row(f, AxisId{i});
   const LeftColumn column = column_of(f);
@@ -161,7 +162,7 @@ void GotoHome::draw_title(Frame& f) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(height)));
 }
 
-/// Chooses targets or distances.
+/// Draws the choice between targets and distances.
 void GotoHome::draw_way(Frame& f, float cell) {
   static constexpr std::array<std::string_view, 2> ways = {"To", "By"};
   const int way =
@@ -169,7 +170,7 @@ void GotoHome::draw_way(Frame& f, float cell) {
   if (way >= 0) by_ = way == 1;
 }
 
-/// The way of homing, for all axes; its button says Home.
+/// Draws the choice of homing for all axes; its button says Home.
 void GotoHome::draw_home_ways(Frame& f, ImVec2 at, float width) {
   const float height = column_of(f).go_control;
   if (f.catalog.homing_modes.size() < 2)
@@ -200,11 +201,11 @@ void GotoHome::draw_row(Frame& f, AxisId axis) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(column_of(f).go_row)));
 }
 
-/// Converts typed targets when the unit changes: no axis goes to a target that was not typed.
+/// Converts typed targets when the unit changes, so that no axis goes to a target that was not typed.
 void GotoHome::follow_units(const Frame& f) {
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) {
     Row& row = rows_[i];
-    const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+    const DisplayUnit& unit = f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(i)});
     if (row.unit == unit) continue;
     const auto typed = parse_position(row.field.text, row.unit);
     if (typed)
@@ -224,18 +225,18 @@ void GotoHome::follow_unit_of_speed(const DisplayUnit& unit) {
   speed_unit_ = unit;
 }
 
-/// Target, optionally speed, and Go, in a line of this width from the cursor on.
+/// Draws target, optional speed and Go in a line of this width at the cursor.
 void GotoHome::draw_target(Frame& f, AxisId axis, float width, float speed_width) {
   Ui& ui = f.ui;
   Row& row = rows_[axis.index];
   const std::string& name = f.catalog.axes[axis.index].name;
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   const std::string_view why = f.tab.why_not_move(axis);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float speed = speed_width > 0 ? speed_width + 20 : 0;
   NumberOptions o;
   o.range.decimals = unit.real ? unit.decimals : 0;
-  // The controller's own unit already stands beside the digits; numbers need the room.
+  // The digits already show the controller's own unit, and the numbers need the width.
   if (unit.real || (!medium(f) && speed == 0)) o.range.unit = unit.name;
   o.width = width - go_width(f) - close_between - speed;
   o.height = column_of(f).go_control;
@@ -259,11 +260,11 @@ void GotoHome::draw_target(Frame& f, AxisId axis, float width, float speed_width
   if (clicked || typed.entered) go(f, axis);
 }
 
-/// "at [20]", in the unit of that axis: the speed of Go until it is emptied.
+/// Draws "at [20]", in the unit of that axis: the speed of Go until the field is emptied.
 void GotoHome::draw_speed(Frame& f, AxisId axis, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   draw_text_line(ui, at.x + ui.px(4), at.x + ui.px(20), at.y + ui.px(column_of(f).go_control / 2),
                  Face::small, ui[Tone::ink2], "at");
   follow_unit_of_speed(unit);
@@ -318,7 +319,7 @@ void GotoHome::draw_homes(Frame& f, AxisId axis, std::string_view why) {
 
 // ---- several axes together
 
-/// If several axes can move together, a press on the name includes or excludes this axis.
+/// If several axes can move together, a press on the name includes or excludes the axis.
 void GotoHome::draw_name(Frame& f, AxisId axis, ImVec2 at) {
   Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
@@ -335,7 +336,7 @@ void GotoHome::draw_name(Frame& f, AxisId axis, ImVec2 at) {
   if (button(ui, Path("goto/{}/with", name), name, o).clicked) together_ ^= 1u << axis.index;
 }
 
-/// Draws within `place`, logical, from `at` on. In the title the words are short.
+/// Draws within `place` (logical), from `at` on. In the title the words are short.
 void GotoHome::draw_together(Frame& f, const Box& place, ImVec2 at) {
   if (!can_go_together(f) && f.catalog.axes.size() != 1) return;
   Ui& ui = f.ui;

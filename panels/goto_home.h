@@ -10,17 +10,17 @@
 #include "gui/model/units_format.h"
 #include "gui/shell/panel_entry.h"
 #include "gui/widgets/number_field.h"
-#include "panels/doubt_ways.h"
+#include "panels/doubt_remedies.h"
 #include "panels/places_menu.h"
 #include "panels/refusal_card.h"
 #include "panels/widget_path.h"
 
 namespace hw::panels {
 
-/// The axes can move together on a straight line.
+/// Whether the axes can move together on a straight line.
 bool can_go_together(const gui::Frame& frame);
 
-/// Moves to a position, or to the home of an axis.
+/// Moves axes to a position or to their home.
 class GotoHome final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
@@ -28,17 +28,17 @@ class GotoHome final : public gui::Panel {
  private:
   struct Motion {
     std::vector<AxisTarget> targets;
-    bool by = false;  ///< they are distances
+    bool by = false;  ///< the targets are distances
   };
   struct Row {
     gui::NumberField field;
     gui::DisplayUnit unit;          ///< unit of the typed number
     IntentId asked = 0;             ///< the latest move sent
     Motion sent;                    ///< the latest move
-    std::string refused;            ///< why it was not done
-    std::optional<Motion> instead;  ///< the nearest one that is allowed
+    std::string refused;            ///< why the latest move was not done
+    std::optional<Motion> instead;  ///< the nearest move that is allowed
     RefusalCard card;
-    DoubtWays doubt;  ///< of the latest move, if refused for doubt
+    DoubtRemedies doubt;  ///< remedies, if the latest move was refused for a doubtful position
   };
   void follow_units(const gui::Frame& frame);
   void follow_unit_of_speed(const gui::DisplayUnit& unit);
@@ -61,12 +61,13 @@ class GotoHome final : public gui::Panel {
   static Path label_of_nearest(const gui::Frame& frame, AxisId axis, const Motion* nearest);
   void go_instead(gui::Frame& frame, AxisId axis);
   void follow(gui::Frame& frame, AxisId axis);
-  /// Nothing: not a number, or outside the controller's count range; the row shows which.
+  /// The typed target. nullopt: it is not a number, or outside of the controller's count range; the row shows
+  /// which.
   std::optional<Steps> target_of(gui::Frame& frame, AxisId axis);
   void go_together(gui::Frame& frame);
   void go_to_zero(gui::Frame& frame);
   [[nodiscard]] bool chosen(const gui::Frame& frame, std::size_t axis) const;
-  /// Why the first of the participating axes cannot be moved.
+  /// Why the first of the axes that go together cannot be moved; empty: all can.
   [[nodiscard]] std::string_view why_not_together(const gui::Frame& frame) const;
   void send(gui::Frame& frame, Motion motion);
   [[nodiscard]] static std::optional<Motion> nearest_to(const gui::Frame& frame, const Motion& motion,
@@ -74,15 +75,15 @@ class GotoHome final : public gui::Panel {
   [[nodiscard]] double typed_speed() const;  ///< 0: none
 
   std::array<Row, max_axes> rows_;
-  gui::NumberField speed_;  ///< of moves to and by; empty: the controller's own speed
+  gui::NumberField speed_;  ///< speed of moves to and by; empty: the controller's own speed
   gui::DisplayUnit speed_unit_;
-  bool speed_is_shown_ = false;  ///< in this frame: no move goes by a number that is out of sight
+  bool speed_is_shown_ = false;  ///< in this frame; a move never uses a number that is out of sight
   PlacesMenu places_;
   int mode_ = 0;
   bool by_ = false;                      ///< distances instead of targets
-  bool all_ = false;                     ///< with many axes: a row for each
-  std::uint32_t together_ = 0;           ///< bit per axis: participates in a joint move
-  std::vector<std::string_view> names_;  ///< of the ways of homing; kept for its memory
+  bool all_ = false;                     ///< with many axes: a row for each of them
+  std::uint32_t together_ = 0;           ///< a bit for each axis that goes together with others
+  std::vector<std::string_view> names_;  ///< names of the kinds of homing; a member to keep its memory
 };
 
 }  // namespace hw::panels

@@ -17,7 +17,7 @@ bool can_go_together(const Frame& f) { return f.catalog.can.interpolates && f.ca
 
 std::optional<Steps> GotoHome::target_of(Frame& f, AxisId axis) {
   Row& row = rows_[axis.index];
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   row.instead.reset();
   const auto typed = parse_position(row.field.text, unit);
   if (!typed) {
@@ -32,7 +32,7 @@ std::optional<Steps> GotoHome::target_of(Frame& f, AxisId axis) {
   const Steps low = f.catalog.position_min, high = f.catalog.position_max;
   if (const auto past = past_travel(f.catalog, f.now, intent::MoveTo({{axis, target}}))) {
     offer(past->nearest);
-    row.refused = describe_past(f.catalog, *past, f.tab.place_words());
+    row.refused = describe_past(f.catalog, *past, f.tab.settings.place_words());
     return {};
   }
   if (low >= high || (target >= low && target <= high)) return *typed;
@@ -40,10 +40,11 @@ std::optional<Steps> GotoHome::target_of(Frame& f, AxisId axis) {
   offer(nearest);
   const bool above = target > high;
   const Steps past = above ? target - high : low - target;
-  row.refused = fmt::format("{} lies {} past the {} end of the range of {}, {}. Nothing was sent.",
-                            format_with_unit(target, unit).view(),
-                            format_with_unit(past, f.tab.units().length(axis)).view(), above ? "+" : "\u2212",
-                            f.catalog.short_name, format_with_unit(nearest, unit).view());
+  row.refused =
+      fmt::format("{} lies {} past the {} end of the range of {}, {}. Nothing was sent.",
+                  format_with_unit(target, unit).view(),
+                  format_with_unit(past, f.tab.settings.units().length(axis)).view(), above ? "+" : "\u2212",
+                  f.catalog.short_name, format_with_unit(nearest, unit).view());
   return {};
 }
 
@@ -68,7 +69,8 @@ void GotoHome::send(Frame& f, Motion motion) {
     send(intent::MoveTo(std::move(motion.targets), speed.speed));
 }
 
-/// Each axis ends as near to its target as its limits allow. Nothing: it would still be refused.
+/// The motion in which each axis ends as near to its target as its limits allow. nullopt: it would still be
+/// refused.
 std::optional<GotoHome::Motion> GotoHome::nearest_to(const Frame& f, const Motion& motion,
                                                      const PastTravel& past) {
   Motion nearest = motion;
@@ -121,7 +123,7 @@ void GotoHome::follow(Frame& f, AxisId axis) {
   if (!outcome || outcome->state == IntentState::pending) return;
   row.asked = 0;
   if (outcome->state == IntentState::done || row.doubt.take_refusal(f, *outcome)) return;
-  row.refused = f.tab.words_of(*outcome);
+  row.refused = f.tab.messages.words_of(*outcome);
   if (outcome->past) row.instead = nearest_to(f, row.sent, *outcome->past);
 }
 
@@ -146,17 +148,17 @@ void GotoHome::draw_refusal(Frame& f, AxisId axis, const Rect& beside) {
   if (done.closed) row.refused.clear(), row.instead.reset();
 }
 
-/// "Go to 300.000 mm"; for several axes only that the limits hold.
+/// "Go to 300.000 mm"; for several axes it says only that the limits hold.
 Path GotoHome::label_of_nearest(const Frame& f, AxisId axis, const Motion* nearest) {
   if (!nearest || nearest->targets.size() != 1) return Path("Go as far as the limits allow");
   return Path("Go {} {}", nearest->by ? "by" : "to",
-              format_with_unit(nearest->targets.front().value, f.tab.unit(axis)).view());
+              format_with_unit(nearest->targets.front().value, f.tab.settings.unit(axis)).view());
 }
 
 void GotoHome::go_instead(Frame& f, AxisId axis) {
   Row& row = rows_[axis.index];
   Motion nearest = std::move(*row.instead);
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   if (nearest.targets.size() == 1 && !row.field.text.empty() && nearest.by == by_)
     row.field.set(from_steps(nearest.targets.front().value, unit), unit.real ? unit.decimals : 0);
   send(f, std::move(nearest));

@@ -11,12 +11,12 @@ using namespace gui;
 
 namespace {
 
-/// Of a speed that was typed, however low: Pps(0) would be the controller's own speed.
+/// A typed speed never becomes Pps(0), which would mean the controller's own speed.
 Pps at_least_one(double steps) { return Pps(std::max(1.0, std::round(steps))); }
 
-class Way {
+class TypedSpeed {
  public:
-  Way(const Frame& f, const std::vector<AxisTarget>& targets, bool by, double typed)
+  TypedSpeed(const Frame& f, const std::vector<AxisTarget>& targets, bool by, double typed)
       : f_(f), targets_(targets), by_(by), typed_(typed) {
     for (const AxisTarget& target : targets) {
       const DisplayUnit& unit = unit_of(target);
@@ -50,7 +50,7 @@ class Way {
 
  private:
   [[nodiscard]] const DisplayUnit& unit_of(const AxisTarget& target) const {
-    return f_.tab.units().length(target.axis);
+    return f_.tab.settings.units().length(target.axis);
   }
   [[nodiscard]] Pps usual() const { return at_least_one(first_ ? slowest_ : typed_); }
   [[nodiscard]] double own_speed(const AxisTarget& target) const {
@@ -64,7 +64,7 @@ class Way {
              return axis.position_known && !axis.moves();
            });
   }
-  /// Whatever the way, no axis is faster than what was typed.
+  /// A speed with which no axis exceeds the typed speed, whatever the path.
   [[nodiscard]] Pps slowest_of_all() const {
     double slowest = typed_;
     for (std::size_t i = 0; i < targets_.size(); ++i)
@@ -81,7 +81,7 @@ class Way {
   const bool by_;
   const double typed_;
   const DisplayUnit* first_ = nullptr;  ///< unit of the first axis that has one
-  double slowest_ = 0;                  ///< of the axes that have a unit
+  double slowest_ = 0;                  ///< speed in steps/s of the slowest axis that has a unit
   bool one_unit_ = true;
 };
 
@@ -89,16 +89,16 @@ class Way {
 
 GoSpeed speed_of_go(const Frame& f, const std::vector<AxisTarget>& targets, bool by, double typed) {
   if (typed <= 0) return {};
-  const Way way(f, targets, by, typed);
+  const TypedSpeed way(f, targets, by, typed);
   return f.catalog.can.interpolates ? way.together() : way.in_turn();
 }
 
 std::string_view speed_together_is(const Frame& f, std::uint32_t axes) {
   if (!f.catalog.can.interpolates || f.catalog.axes.size() < 2) return {};
-  const DisplayUnit* first = nullptr;  // as Way counts them
+  const DisplayUnit* first = nullptr;  // as in TypedSpeed
   bool one_unit = true;
   for (std::uint8_t axis = 0; axis < f.catalog.axes.size(); ++axis) {
-    const DisplayUnit& unit = f.tab.units().length(AxisId{axis});
+    const DisplayUnit& unit = f.tab.settings.units().length(AxisId{axis});
     if (!((axes >> axis) & 1u) || !unit.real) continue;
     if (!first) first = &unit;
     one_unit = one_unit && unit.name == first->name;

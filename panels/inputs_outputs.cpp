@@ -22,7 +22,7 @@ bool bit_of(std::uint32_t bits, int number) { return (bits >> (number - 1)) & 1u
 bool io_is_old(const Frame& f) {
   return !f.connected() || is_stale(f.now.io_seen_at, f.clock, f.now.poll_period);
 }
-/// `place`: index into the catalog, from 0.
+/// `place` is an index into the catalog, from 0.
 bool is_active(const Frame& f, std::size_t place) {
   const int n = static_cast<int>(place) + 1;
   return bit_of(f.now.inputs_known, n) && bit_of(f.now.inputs, n) != f.catalog.inputs[place].active_low;
@@ -35,7 +35,7 @@ int columns_of(const Frame& f, std::span<const Named> names, int most, float aro
   return most;
 }
 
-/// Columns of lamps without words, so that no row is left half empty; 0: each lamp has its word.
+/// The number of columns of lamps without words, so that no row is half empty; 0: each lamp has its word.
 template <class Named>
 int lamp_columns(const Frame& f, std::span<const Named> names) {
   constexpr float lamp_width = 20;
@@ -75,7 +75,7 @@ bool is_not_zero(const Frame& f, std::string_view id) {
   return readout >= 0 && f.now.readouts_known[at] && f.now.readouts[at] != 0;
 }
 
-/// Its own name, or that of its present function in the controller.
+/// The name of the output, or of its present function in the controller.
 std::string_view name_of(const Frame& f, const OutputInfo& info) {
   const OutputDuty& duty = info.duty;
   const bool on_duty =
@@ -84,7 +84,7 @@ std::string_view name_of(const Frame& f, const OutputInfo& info) {
   return on_duty ? duty.name : info.name;
 }
 
-/// "Aux X" split into the part shared with its neighbours and its own part.
+/// "Aux X" split into the part that it shares with other outputs and its own part.
 struct RailName {
   std::string_view group, own;
 };
@@ -95,7 +95,7 @@ RailName rail_name(std::string_view name) {
   return {"Out", digits > 0 && digits < name.size() ? name.substr(digits) : name};
 }
 
-/// "on: 2, 5", for lamps without words.
+/// Makes "on: 2, 5", for lamps without words.
 class OnNames {
  public:
   void add(std::string_view name) {
@@ -136,7 +136,8 @@ void InputsOutputs::draw_inputs(Frame& f) {
   }
 }
 
-/// A word for each; many lines with short names get lamps only. `first`: index of the first, from 0.
+/// Each line has a word, except that many lines with short names get only lamps. `first`: index of the first
+/// line, from 0.
 void InputsOutputs::draw_levels(Frame& f, std::span<const InputInfo> lines, std::size_t first) {
   const int lamps = lamp_columns(f, lines);
   Cells cells(f.ui, f.area.width, lamps > 0 ? lamps : columns_of(f, lines, 3, 56), level_height);
@@ -160,7 +161,7 @@ void InputsOutputs::draw_levels(Frame& f, std::span<const InputInfo> lines, std:
   cells.end();
 }
 
-// A few outputs show the full name of their function, and keep their place when the function changes.
+// A few outputs show the full name of their function. They keep their place when the function changes.
 static int output_columns(const Frame& f, std::span<const OutputInfo> outputs, int most) {
   const int columns = columns_of(f, outputs, most, 20);
   if (columns != 2) return columns;
@@ -172,7 +173,7 @@ static int output_columns(const Frame& f, std::span<const OutputInfo> outputs, i
   return fit ? 2 : 1;
 }
 
-/// Below their switches the levels of the lines, if the controller reports them.
+/// The levels of the lines are below the switches, if the controller reports them.
 void InputsOutputs::draw_outputs(Frame& f) {
   const auto& outputs = f.catalog.outputs;
   for (std::size_t i = 0; i < outputs.size();) {
@@ -230,7 +231,7 @@ void InputsOutputs::draw_output(Frame& f, int n, float width, bool narrow) {
     asked = f.send(intent::SetOutput(number, known ? !on : true));
 }
 
-/// A few have a line each; many stand in two columns, with their unit in the title.
+/// A few inputs have a line each; many are in two columns, with their unit in the title.
 void InputsOutputs::draw_all_analog(Frame& f) {
   const int count = static_cast<int>(f.catalog.analog.size());
   const bool many = count > 2;
@@ -266,7 +267,7 @@ void InputsOutputs::draw_analog(Frame& f, int n, float width, bool short_words) 
   MeterOptions o;
   o.old = !known || io_is_old(f);
   o.words = shown;
-  // The number is at most as wide as the largest value; the bar ends before it and does not move with it.
+  // The bar ends before the widest possible number, so that its length does not change with the number.
   const Path largest("{}", info.maximum);
   const float number_left = right - of_width - std::ceil(text_width(ui, Face::body_bold, largest));
   o.width = std::max(24.0f, std::floor((number_left - ui.px(8) - left) / ui.scale));
@@ -275,7 +276,7 @@ void InputsOutputs::draw_analog(Frame& f, int n, float width, bool short_words) 
         o);
 }
 
-/// Outputs as lamps over their own names, under their shared name; many stand in two columns.
+/// Outputs are lamps above their own names, below their shared name. Many outputs are in two columns.
 void InputsOutputs::draw_rail(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 top = ImGui::GetCursorScreenPos();

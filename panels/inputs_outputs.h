@@ -9,8 +9,8 @@
 
 namespace hw::panels {
 
-/// Inputs as lamps, outputs as toggles that change once the controller has confirmed, analog inputs as
-/// meters. Lines of a group stand under its name, which gives their direction.
+/// Shows inputs as lamps, outputs as toggles that change only when the controller has confirmed it, and
+/// analog inputs as meters. Lines of a group are below its name, which gives their direction.
 class InputsOutputs final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
@@ -26,8 +26,7 @@ class InputsOutputs final : public gui::Panel {
   static void draw_rail(gui::Frame& frame);
   static void draw_rail_lamp(gui::Frame& frame, int number, std::string_view own, ImVec2 at, float width_px);
 
-  std::array<IntentId, max_outputs + 1>
-      asked_{};  ///< by output number: the latest command while it is not done
+  std::array<IntentId, max_outputs + 1> asked_{};  ///< by output number: the latest command, until it is done
 };
 
 }  // namespace hw::panels

@@ -1,5 +1,5 @@
 #pragma once
-// Sentences and lamps that no tooltip may cover, as far as their window shows them.
+// Keeps tooltips off sentences and lamps, as far as their window shows them.
 #include <algorithm>
 
 #include <imgui.h>

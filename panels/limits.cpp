@@ -21,7 +21,7 @@ namespace {
 
 constexpr float signal_height = 28;
 
-/// Room for the longest name of an axis: a device of a bus has two figures.
+/// Width for the longest name of an axis; a device of a bus has two figures.
 float names_width(const Frame& f, float least) {
   float longest = 0;
   for (const AxisInfo& axis : f.catalog.axes)
@@ -51,7 +51,7 @@ bool shows_more_than_limits(const Catalog& c) {
 
 }  // namespace
 
-/// Tooltips of what is above or in the lamps stand beside them.
+/// Tooltips must not cover the lamps.
 void Limits::draw(Frame& f) {
   const float title = f.rail ? 20 : 40, left = ImGui::GetWindowPos().x;
   const float top = ImGui::GetCursorScreenPos().y + f.ui.px(title);
@@ -100,7 +100,7 @@ struct Limits::Signal {
   bool on = false;
 };
 
-/// Of one axis: two limits, home, alarm.
+/// The signals of an axis: two limits, home, alarm.
 class Limits::Signals {
  public:
   void add(const Signal& signal) { signals_[count_++] = signal; }
@@ -111,7 +111,7 @@ class Limits::Signals {
   std::size_t count_ = 0;
 };
 
-/// The words in the title: faults come first.
+/// The words in the title. Faults come first.
 struct Limits::Summary {
   std::string on, alerts;
   int on_count = 0, alert_count = 0;
@@ -133,7 +133,7 @@ struct Limits::Summary {
   }
 };
 
-/// Four lamps per axis in a line; the title names the active ones.
+/// Draws four lamps per axis in a line. The title names the active signals.
 void Limits::draw_with_home(Frame& f) {
   Ui& ui = f.ui;
   Summary summary;
@@ -155,14 +155,14 @@ void Limits::draw_with_home(Frame& f) {
   group_line(ui, 10);
 }
 
-/// Many axes in two halves side by side: lamps under shared names.
+/// Draws many axes in two halves side by side, with lamps below shared names.
 void Limits::draw_in_halves(Frame& f, float names, Summary& summary) {
   Ui& ui = f.ui;
   constexpr float names_height = 20, apart = 16, sign_cell = 28, word_cell = 36;
   const int axes = static_cast<int>(f.catalog.axes.size()), rows = (axes + 1) / 2;
   const float half = std::floor((f.area.width - apart) / 2) + apart;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  float used = names;  // of one half; the lamps of a column stand under its name
+  float used = names;  // width used in a half
   for (int i = 0; i < axes; ++i) {
     const ImVec2 corner(at.x + ui.px(half * static_cast<float>(i / rows)),
                         at.y + ui.px(names_height + signal_height * static_cast<float>(i % rows)));
@@ -186,7 +186,7 @@ void Limits::draw_in_halves(Frame& f, float names, Summary& summary) {
       ImVec2(at.x, at.y + ui.px(names_height + signal_height * static_cast<float>(rows))));
 }
 
-/// Returns whether the signals are known and fresh.
+/// Returns true when the signals are known and fresh.
 bool Limits::find_signals(const Frame& f, int i, Signals& signals, Summary& summary) {
   const AxisState& a = f.now.axes[static_cast<std::size_t>(i)];
   const AxisInfo& info = f.catalog.axes[static_cast<std::size_t>(i)];
@@ -215,7 +215,7 @@ void Limits::draw_signals(Frame& f, int i, float names, Summary& summary) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   draw_text_line(ui, at.x, at.x + ui.px(names), at.y + ui.px(14), Face::body_bold, ui[Tone::ink],
                  f.catalog.axes[static_cast<std::size_t>(i)].name);
-  // A sign needs less room than a word.
+  // A sign is narrower than a word.
   constexpr float sign_cell = 40;
   const float word_cell = (f.area.width - names - 2 * sign_cell) / 2;
   float x = names;
@@ -240,7 +240,7 @@ void Limits::draw_signal(Frame& f, const Signal& s, bool sure, ImVec2 at, float 
   show(ui, {s.id, Kind::lamp, s.label, value, {}, false, value}, r);
 }
 
-/// A line for each of many axes: both lamps with the axis between them, under shared signs.
+/// Draws a line for each of many axes: the axis between its two lamps, below shared signs.
 void Limits::draw_brief_rail(Frame& f) {
   Ui& ui = f.ui;
   constexpr float title = 20, signs = 18, line = 21;
@@ -274,7 +274,8 @@ void Limits::draw_brief_rail(Frame& f) {
   group_line(ui, 8);
 }
 
-/// A lamp over its name; with more than two axes both lamps stand in a line, with the axis between them.
+/// Draws lamps above their names. With more than two axes, both lamps are in a line with the axis between
+/// them.
 void Limits::draw_rail(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 top = ImGui::GetCursorScreenPos();

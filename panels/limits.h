@@ -5,7 +5,7 @@
 
 namespace hw::panels {
 
-/// Which limit switches are operated.
+/// Shows the state of the limit switches, home switches and alarms.
 class Limits final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;

@@ -30,7 +30,7 @@ ImVec2 begin_toolbar(const Frame& f) {
 }
 
 void next_in_toolbar(const Frame& f, float gap, float width) {
-  constexpr float half = 20;  // of a button
+  constexpr float half = 20;  // of the height of a button
   const Ui& ui = f.ui;
   const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
   const float middle = (from.y + to.y) / 2;

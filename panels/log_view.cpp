@@ -27,7 +27,7 @@ constexpr float log_row = 20, log_time_x = 16, log_mark_x = 130, subject_x = 146
 constexpr std::array<std::string_view, 4> least_names = {"errors", "warnings", "info", "all lines"};
 constexpr std::array<std::string_view, 6> level_names = {"log nothing", "log errors", "log warnings",
                                                          "log info",    "log all",    "log mixed"};
-constexpr int mixed_level = 5;  // shown, not chosen: parts of the subject log more or less than others
+constexpr int mixed_level = 5;  // shown, but not a choice: the parts of the subject have different levels
 static_assert(static_cast<int>(Level::debug) + 1 == mixed_level);
 
 struct LevelLook {
@@ -67,7 +67,7 @@ float LogView::draw_tools(PageFrame& f, float left, float right, float top) {
   const LogToolWidths& w = room_for_words(wide) >= words_at_most ? wide : narrow;
   const float words = std::clamp(room_for_words(w), words_at_least, words_at_most);
   float x = left;
-  const auto fits = [&](float width) {  // what has no room is left out
+  const auto fits = [&](float width) {  // tools that do not fit are left out
     if (x + ui.px(width) > right) return false;
     ImGui::SetCursorScreenPos(ImVec2(x, top));
     x += ui.px(width + w.gap);
@@ -167,7 +167,7 @@ LogView::Rows LogView::draw_rows(PageFrame& f) {
   return visible;
 }
 
-/// The first row, if lines are missing. Returns its height.
+/// Draws the first row if lines are missing. Returns its height.
 float LogView::draw_lost(const Ui& ui, std::uint64_t lost, float top) {
   if (lost == 0) return 0;
   char words[96];

@@ -79,7 +79,7 @@ std::string_view set_bits(std::span<char> buffer, const MemoryCell& c, std::uint
 }
 
 void MemoryMap::draw(Frame& f) {
-  f.tab.look_at_group(f.catalog.memory_readout_group);
+  f.tab.watched.look_at_group(f.catalog.memory_readout_group);
   follow(f);
   Ui& ui = f.ui;
   begin_part(ui, "memory", 0, ui.px(f.area.height), Tone::panel, 16);
@@ -106,7 +106,7 @@ void MemoryMap::follow(const Frame& f) {
     if (m.known && m.value != value) m.changed_at_s = f.ui.now_s;
     m.value = value;
     m.known = true;
-    // Marks expire by themselves: a console at rest redraws once for that.
+    // The mark expires by time alone, so a console at rest must draw a frame then.
     if (const double left = m.changed_at_s + mark_s - f.ui.now_s; left > 0) f.ui.wake_in(left);
   }
 }
@@ -141,7 +141,7 @@ void MemoryMap::draw_column(Frame& f, bool of_axes, float width) {
   }
 }
 
-/// Address, name, and the mark of a recent change.
+/// Draws address, name, and the mark of a recent change.
 void MemoryMap::draw_head(Frame& f, std::size_t i, ImVec2 at, float width, float middle) {
   Ui& ui = f.ui;
   const MemoryCell& c = f.catalog.memory[i];
@@ -164,7 +164,7 @@ void MemoryMap::draw_value(Frame& f, std::size_t i, float width) {
   const bool known = cells_[i].known, is_fresh = fresh(f, c);
   const NumberText decimal = format_number(static_cast<double>(number_of(c, cells_[i].value)), 0);
   const Path value("{}{}", known ? decimal.view() : "?", known && !is_fresh ? "?" : "");
-  const float hex_room = width >= 360 ? hex_width : 0;  // names need the room in a narrow column
+  const float hex_room = width >= 360 ? hex_width : 0;  // in a narrow column the names need the width
   if (ImGui::IsRectVisible(row.min, row.max)) {
     const float middle = std::floor(row.centre().y);
     const Face face = marked(f, i) ? Face::body_bold : Face::body;
@@ -200,7 +200,7 @@ void MemoryMap::draw_register(Frame& f, std::size_t i, float width) {
 
   const int cells = std::max(8, c.bits.back().bit + 1);
   const float cell = ui.px(width) / static_cast<float>(cells), y = row.max.y;
-  // Names only if all of them fit: a mixture of names and numbers is hard to read.
+  // Names are shown only if all of them fit, because a mixture of names and numbers is hard to read.
   const bool named = std::all_of(c.bits.begin(), c.bits.end(), [&](const ParamBit& bit) {
     return text_width(ui, Face::small, in_a_cell(bit.label)) + ui.px(6) <= cell;
   });
@@ -264,7 +264,7 @@ void MemoryMap::draw_rings(Frame& f, float width) {
     o.width = width;
     meter(ui, Path("ring/{}/meter", ring.name), ring.name,
           static_cast<float>(waiting) / static_cast<float>(ring.cells - 1), o);
-    // The newest characters of the ring, taken or not.
+    // The newest characters of the ring, whether the receiver has taken them or not.
     char text[static_cast<std::size_t>(shown_characters)];
     for (int n = 0; n < shown_characters; ++n) {
       const int cell = (put - shown_characters + n + 2 * ring.cells) % ring.cells;

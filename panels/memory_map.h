@@ -1,6 +1,6 @@
 #pragma once
-// The memory window of a controller, as last read by the console: registers with their bits, rings, the data
-// area of each axis. Opening it reads nothing that clears when read. Ids: `register/0xFE3`,
+// Shows the memory window of a controller, as last read by the console: registers with their bits, rings, the
+// data area of each axis. Opening it reads no register that is cleared by reading. Ids: `register/0xFE3`,
 // `register/0xFE3/bits`, `register/0xFE3/changed`, `ring/Commands`, `ring/Commands/text`.
 #include <cstdint>
 #include <span>
@@ -18,7 +18,7 @@ class MemoryMap final : public gui::Panel {
   void draw(gui::Frame& frame) override;
 
  private:
-  /// Last value of a cell, to mark changes.
+  /// The last value of a cell, to mark changes.
   struct Memory {
     std::uint32_t value = 0;
     bool known = false;
@@ -36,7 +36,7 @@ class MemoryMap final : public gui::Panel {
   std::vector<Memory> cells_;
 };
 
-/// The names of the set bits: "Initialized, Done"; "none" without any. Writes into `buffer`.
+/// The names of the set bits: "Initialized, Done", or "none". Writes into `buffer`.
 std::string_view set_bits(std::span<char> buffer, const MemoryCell& cell, std::uint32_t value);
 /// The value as a number, signed if the cell is.
 std::int64_t number_of(const MemoryCell& cell, std::uint32_t value);

@@ -50,7 +50,7 @@ void Moves::draw(Frame& f) {
     ImGui::GetWindowDrawList()->AddRectFilled(
         ImVec2(x, at.y), ImVec2(x + f.ui.hair(), f.ui.px(f.area.bottom())), f.ui[Tone::line]);
     ImGui::SetCursorScreenPos(ImVec2(x + f.ui.hair(), at.y));
-    // To the end of the panel: the rest of a window that scrolls would be less.
+    // The side reaches to the end of the panel. The rest of a window that scrolls would be lower.
     begin_part(f.ui, "list/side", 0, f.ui.px(f.area.bottom()) - at.y, Tone::panel, 16);
     draw_side(f, ImGui::GetContentRegionAvail().x / f.ui.scale);
     end_part();
@@ -58,7 +58,8 @@ void Moves::draw(Frame& f) {
   draw_dialogs(f);
 }
 
-/// Moves wait in the controller's buffer, or it has not been asked since the last one was sent.
+/// Whether moves wait in the controller's buffer. They may as long as the buffer was not asked after the last
+/// move was sent.
 bool Moves::buffer_waits(const Frame& f) const {
   const int free = find_free_places(f.catalog);
   const auto i = static_cast<std::size_t>(std::max(free, 0));
@@ -72,7 +73,7 @@ void Moves::follow(Frame& f) {
   const bool unseen = f.now.forgotten(started_);
   const bool was_sent = unseen || (ended && outcome->state != IntentState::refused);
   if (f.now.feed.running || was_sent) sent_at_ = f.clock;
-  if (f.connected())  // a controller out of reach may still work on it
+  if (f.connected())  // without a link the controller may still work on the list
     works_ =
         f.now.feed.running || buffer_waits(f) || (works_ && f.now.feed.total > 0 && f.now.any_axis_moving());
   if (unseen) started_ = 0;
@@ -80,12 +81,12 @@ void Moves::follow(Frame& f) {
   started_ = 0;
   if (outcome->state == IntentState::done || doubt_.take_refusal(f, *outcome)) return;
   past_ = outcome->past;
-  refused_ = f.tab.words_of(*outcome);
+  refused_ = f.tab.messages.words_of(*outcome);
   int decimals = 0;
   if (!cell_past_limit(f.catalog, decimals)) past_.reset(), f.toast(Severity::fault, refused_);
 }
 
-/// The number that names the place past a limit; null: it was removed or overwritten.
+/// The field of the position past a limit; null: it was removed or overwritten.
 NumberField* Moves::cell_past_limit(const Catalog& catalog, int& decimals) {
   const auto& columns = catalog.move_list.columns;
   if (!past_ || past_->row < 0 || ix(past_->row) >= rows_.size()) return nullptr;
@@ -100,14 +101,14 @@ NumberField* Moves::cell_past_limit(const Catalog& catalog, int& decimals) {
   return nullptr;
 }
 
-/// Offers the nearest place that is allowed, for the cell of the list.
+/// Offers the nearest allowed position for that cell of the list.
 void Moves::draw_refusal(Frame& f, const Rect& beside) {
   int decimals = 0;
   NumberField* cell = cell_past_limit(f.catalog, decimals);
-  if (!cell) past_.reset();  // its subject has been changed
+  if (!cell) past_.reset();  // the refused number was changed
   if (!past_) return;
-  const Path label("Put {} into move {}", format_with_unit(past_->nearest, f.tab.unit(past_->axis)).view(),
-                   past_->row + 1);
+  const Path label("Put {} into move {}",
+                   format_with_unit(past_->nearest, f.tab.settings.unit(past_->axis)).view(), past_->row + 1);
   const std::array<Action, 1> actions = {Action{.id = "list/nearest", .label = label}};
   card_.begin(f, {.id = "list/refused", .about = "Start", .words = refused_, .actions = actions}, beside);
   const RefusalTouch done = card_.end();
@@ -146,7 +147,7 @@ void Moves::draw_toolbar(Frame& f) {
   stop.height = 40;
   stop.disabled = works_ || started_ != 0 ? "" : "No list is being sent.";
   stop.tip =
-      "Stops the axes and sends no more. Buffered mode is switched off, and moves that wait there are "
+      "Stops the axes and sends no more moves. Buffered mode is switched off, and moves in the buffer are "
       "dropped.";
   if (button(ui, "list/abort", "Abort", stop).clicked) abort(f);
   const float left = ImGui::GetItemRectMax().x + ui.px(16);
@@ -158,7 +159,7 @@ void Moves::draw_toolbar(Frame& f) {
   end_toolbar(f, at);
 }
 
-/// Stops the axes first; then the buffer, whose switch-off is its only useful action while busy.
+/// Stops the axes first, then switches off the buffer, the only action that it accepts while busy.
 void Moves::abort(Frame& f) {
   f.send(intent::Stop());
   for (const ActionForm& a : actions_)
@@ -257,7 +258,7 @@ void Moves::draw_table(Frame& f, float width, float height) {
   end_part();
 }
 
-/// A unit without room beside the title of its column stands below it.
+/// A unit that does not fit beside the title of its column is below it.
 void Moves::draw_head(Frame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -286,7 +287,7 @@ void Moves::draw_head(Frame& f, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(one_line ? 28 : 40)));
 }
 
-/// True: remove this row.
+/// Returns true when the row must be removed.
 bool Moves::draw_row(Frame& f, std::size_t row, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -323,7 +324,7 @@ bool Moves::draw_row(Frame& f, std::size_t row, float width) {
   return gone;
 }
 
-// ---- side: the state of the buffer
+// ---- the side: state of the buffer
 
 void Moves::draw_side(Frame& f, float width) {
   Ui& ui = f.ui;
@@ -348,7 +349,7 @@ void Moves::draw_side(Frame& f, float width) {
     if (f.catalog.params[i].of_move_buffer) draw_param(f, i, width);
 }
 
-/// A parameter of two values, effective at once.
+/// Draws a parameter with two values. A change is effective at once.
 void Moves::draw_param(Frame& f, std::size_t i, float width) {
   const ParamInfo& p = f.catalog.params[i];
   if (p.choices.size() != 2) return;

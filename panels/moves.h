@@ -1,6 +1,6 @@
 #pragma once
-// Buffered moves: a list, with its own file, that is fed into the controller's buffer as entries become free.
-// All other controls stay live meanwhile. Ids: `list/ROW/COLUMN` (rows from 1), `list/start` ...
+// Buffered moves: a list, with a file of its own, is fed into the controller's buffer as entries become free.
+// All other controls work meanwhile. Ids: `list/ROW/COLUMN` (rows from 1), `list/start` ...
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,7 +12,7 @@
 #include "gui/widgets/number_field.h"
 #include "panels/control/action_form.h"
 #include "panels/control/readouts.h"
-#include "panels/doubt_ways.h"
+#include "panels/doubt_remedies.h"
 #include "panels/refusal_card.h"
 
 namespace hw::panels {
@@ -41,7 +41,7 @@ class Moves final : public gui::Panel {
 
   void add_row(const Catalog& catalog);
   void show_rows(const std::vector<gui::MoveRow>& rows, const MoveListFacts& facts);
-  /// Nothing: a cell holds no valid number; `why` says which.
+  /// The numbers of the list. nullopt: a cell holds no valid number; `why` says which.
   std::optional<std::vector<gui::MoveRow>> values(const MoveListFacts& facts, std::string& why);
   void start(gui::Frame& frame);
   void abort(gui::Frame& frame);
@@ -52,17 +52,17 @@ class Moves final : public gui::Panel {
 
   std::vector<Row> rows_;
   std::vector<ActionForm> actions_;
-  ReadoutSet beside_switch_;  ///< readouts shown by a switch
+  ReadoutSet beside_switch_;  ///< readouts shown beside a switch
   bool made_ = false, edited_ = false, to_end_ = false;
   std::filesystem::path file_;
   gui::FileDialog open_, save_;
-  bool asking_ = false, asked_to_open_ = false;  ///< before edited rows are discarded
-  bool works_ = true;  ///< the list is on its way, or all of it was sent and the buffer is not empty yet
-  Instant sent_at_{};  ///< the latest move of the list
+  bool asking_ = false, asked_to_open_ = false;  ///< a question is open before edited rows are discarded
+  bool works_ = true;  ///< the list is being sent, or all of it was sent and the buffer is not empty yet
+  Instant sent_at_{};  ///< time at which the latest move of the list was sent
   IntentId started_ = 0;
-  DoubtWays doubt_;
-  std::optional<PastTravel> past_;  ///< why the latest Start was refused ...
-  std::string refused_;             ///< ... in words
+  DoubtRemedies doubt_;
+  std::optional<PastTravel> past_;  ///< why the latest Start was refused
+  std::string refused_;             ///< the refusal in words
   RefusalCard card_;
 };
 

@@ -1,4 +1,4 @@
-// The rows of a list of moves: creation, checks, sending, files.
+// Creates, checks, sends, saves and opens the rows of a list of moves.
 #include <cmath>
 
 #include <fmt/core.h>
@@ -84,7 +84,7 @@ void Moves::save(Frame& f, const std::filesystem::path& path) {
   TextFile file;
   file.text = write_moves(*rows, f.catalog.move_list);
   const auto saved = save_text(path, file);
-  f.withdraw(&file_);  // why the last one was not saved or opened
+  f.withdraw(&file_);  // the message why the last file was not saved or opened
   if (!saved) return f.toast(Severity::fault, saved.error().sentence(), &file_);
   file_ = path;
   edited_ = false;

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of a list, built on the stack: drawing a frame at rest allocates nothing.
+// The names of a list, built on the stack, so that a frame at rest allocates nothing.
 #include <array>
 #include <cstddef>
 #include <span>

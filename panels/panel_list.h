@@ -3,7 +3,7 @@
 
 namespace hw::panels {
 
-/// All panels of the console, in this order. A new panel is a pair of files and one line there.
+/// All panels of the console, in their order. A new panel needs its files and a line there.
 gui::PanelList panel_list();
 
 }  // namespace hw::panels

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float list_width = 320, side = 12, row_height = 32;
 
-/// Position of the next row of the list.
+/// The position of the next row of the list.
 struct Row {
   explicit Row(const Ui& u) : ui(u), at(ImGui::GetCursorScreenPos()) {}
   void place(float x, float height = 28) const {
@@ -51,12 +51,13 @@ std::optional<std::vector<AxisTarget>> PlacesMenu::draw(Frame& f, float width, f
     return {};
   }
   std::optional<std::vector<AxisTarget>> chosen;
-  if (f.tab.profile.places.empty()) {
+  if (f.tab.settings.profile.places.empty()) {
     const Row row(f.ui);
     draw_text_line(f.ui, row.at.x + f.ui.px(side), row.at.x + f.ui.px(list_width - side), row.middle(),
                    Face::body, f.ui[Tone::ink2], "No place is saved yet.");
   }
-  for (std::size_t i = 0; i < f.tab.profile.places.size(); ++i) {  // a place may be forgotten during the loop
+  for (std::size_t i = 0; i < f.tab.settings.profile.places.size();
+       ++i) {  // a place may be forgotten during the loop
     if (auto to = draw_place(f, i)) chosen = std::move(to);
     if (static_cast<int>(i) == edited_) draw_axes(f, i);
   }
@@ -68,14 +69,14 @@ std::optional<std::vector<AxisTarget>> PlacesMenu::draw(Frame& f, float width, f
 }
 
 float PlacesMenu::rows(const Frame& f) const {
-  const auto places = std::max<std::size_t>(f.tab.profile.places.size(), 1);
+  const auto places = std::max<std::size_t>(f.tab.settings.profile.places.size(), 1);
   const auto axes = edited_ >= 0 ? f.catalog.axes.size() : 0;
   return static_cast<float>(places + axes) + 1.3f;
 }
 
 std::optional<std::vector<AxisTarget>> PlacesMenu::draw_place(Frame& f, std::size_t i) {
   Ui& ui = f.ui;
-  const SavedPlace& place = f.tab.profile.places[i];
+  const SavedPlace& place = f.tab.settings.profile.places[i];
   const Row row(ui);
   draw_text_line(ui, row.at.x + ui.px(side), row.at.x + ui.px(list_width - 176), row.middle(),
                  Face::body_bold, ui[Tone::ink], place.name);
@@ -92,21 +93,22 @@ std::optional<std::vector<AxisTarget>> PlacesMenu::draw_place(Frame& f, std::siz
   quiet.on = false;
   quiet.width = 60;
   if (button(ui, Path("places/{}/forget", place.name), "Forget", quiet).clicked) {
-    f.tab.profile.places.erase(f.tab.profile.places.begin() + static_cast<std::ptrdiff_t>(i));
-    f.tab.profile_edited();
+    f.tab.settings.profile.places.erase(f.tab.settings.profile.places.begin() +
+                                        static_cast<std::ptrdiff_t>(i));
+    f.tab.settings.edited();
     edit(-1);
   }
   return chosen;
 }
 
-/// An axis with an empty field does not move on Go.
+/// Draws a field for each axis. An axis with an empty field does not move on Go.
 void PlacesMenu::draw_axes(Frame& f, std::size_t i) {
-  if (i >= f.tab.profile.places.size()) return;
-  SavedPlace& place = f.tab.profile.places[i];
+  if (i >= f.tab.settings.profile.places.size()) return;
+  SavedPlace& place = f.tab.settings.profile.places[i];
   for (std::size_t a = 0; a < f.catalog.axes.size(); ++a) {
     const AxisId axis{static_cast<std::uint8_t>(a)};
     const std::string& name = f.catalog.axes[a].name;
-    const DisplayUnit& unit = f.tab.unit(axis);
+    const DisplayUnit& unit = f.tab.settings.unit(axis);
     const Row row(f.ui);
     draw_text_line(f.ui, row.at.x + f.ui.px(2 * side), row.at.x + f.ui.px(60), row.middle(), Face::body,
                    f.ui[Tone::ink2], name);
@@ -133,7 +135,7 @@ void PlacesMenu::draw_axes(Frame& f, std::size_t i) {
       place.at.push_back({axis, value});
     std::sort(place.at.begin(), place.at.end(), [](const auto& l, const auto& r) { return l.axis < r.axis; });
     fields_[a].reset();
-    f.tab.profile_edited();
+    f.tab.settings.edited();
   }
 }
 
@@ -156,9 +158,9 @@ void PlacesMenu::draw_save(Frame& f) {
 void PlacesMenu::save(Frame& f) {
   auto at = standing_place(f.catalog, f.now);
   if (!at) return f.toast(Severity::fault, at.error().sentence());
-  put_place(f.tab.profile.places, {std::move(name_), std::move(*at)});
+  put_place(f.tab.settings.profile.places, {std::move(name_), std::move(*at)});
   name_.clear();
-  f.tab.profile_edited();
+  f.tab.settings.edited();
   edit(-1);
 }
 

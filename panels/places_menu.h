@@ -1,6 +1,6 @@
 #pragma once
-// The places saved for this controller: go there, record the present position, edit, forget. Ids: `places`,
-// `places/NAME/go`, `/edit`, `/forget`, `/X` (while it is edited), `places/name`, `places/save`.
+// The menu of places saved for this controller: go there, record the present position, edit, forget. Ids:
+// `places`, `places/NAME/go`, `/edit`, `/forget`, `/X` (while it is edited), `places/name`, `places/save`.
 #include <array>
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ namespace hw::panels {
 
 class PlacesMenu {
  public:
-  /// Draws the button that opens it, at the cursor. Returns the chosen place's targets.
+  /// Draws the button that opens the menu, at the cursor. Returns the targets of a place when it was chosen.
   std::optional<std::vector<AxisTarget>> draw(gui::Frame& frame, float width, float height);
 
  private:
@@ -24,8 +24,8 @@ class PlacesMenu {
   void save(gui::Frame& frame);
   void edit(int place);
 
-  std::string name_;  ///< typed, for the next place
-  int edited_ = -1;   ///< the place showing its axes; -1: none
+  std::string name_;  ///< typed name for the next place
+  int edited_ = -1;   ///< index of the place that shows its axes; -1: none
   std::array<gui::NumberField, max_axes> fields_;
 };
 

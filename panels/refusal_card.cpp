@@ -20,23 +20,25 @@ namespace {
 constexpr float card_width = 336, card_side = 16, card_top = 12, action_height = 32, action_gap = 8;
 constexpr float mark = 20, title = 24, cross_size = 32, in_bar = 28, from_border = 8;
 
-enum class As : bool { card, bar };
+enum class CardForm : bool { card, bar };
 
-std::string_view label(const Action& a, As as) {
-  return as == As::bar && !a.brief.empty() ? a.brief : a.label;
+std::string_view label(const Action& a, CardForm as) {
+  return as == CardForm::bar && !a.brief.empty() ? a.brief : a.label;
 }
 
-float action_width(const Ui& ui, const Action& a, As as) {
+float action_width(const Ui& ui, const Action& a, CardForm as) {
   ButtonOptions o;
   o.moving = a.moving;
   return button_width(ui, label(a, as), o);
 }
 
-float slot_width(const Refusal& what, As as) { return as == As::bar ? what.slot_in_bar : what.slot_width; }
+float slot_width(const Refusal& what, CardForm as) {
+  return as == CardForm::bar ? what.slot_in_bar : what.slot_width;
+}
 
-/// Places slot and actions one after the other, in as many rows as needed. Logical.
+/// Places slot and actions one after the other, in as many rows as needed. Logical. Returns their height.
 template <class Place>
-float place_in_rows(const Ui& ui, const Refusal& what, As as, float width, const Place& place) {
+float place_in_rows(const Ui& ui, const Refusal& what, CardForm as, float width, const Place& place) {
   float x = 0, y = 0;
   const auto next = [&](int index, float wide) {
     if (x > 0 && x + wide > width) x = 0, y += action_height + action_gap;
@@ -50,14 +52,14 @@ float place_in_rows(const Ui& ui, const Refusal& what, As as, float width, const
 }
 
 float row_of_all(const Ui& ui, const Refusal& what) {
-  const float slot = slot_width(what, As::bar);
+  const float slot = slot_width(what, CardForm::bar);
   float wide = slot > 0 ? slot + action_gap : 0;
-  for (const Action& a : what.actions) wide += action_width(ui, a, As::bar) + action_gap;
+  for (const Action& a : what.actions) wide += action_width(ui, a, CardForm::bar) + action_gap;
   return wide;
 }
 
 float rows_height(const Ui& ui, const Refusal& what, float width) {
-  return place_in_rows(ui, what, As::card, width, [](int, float, float) {});
+  return place_in_rows(ui, what, CardForm::card, width, [](int, float, float) {});
 }
 
 float words_width(const Ui& ui) { return ui.px(card_width - 2 * card_side - mark); }
@@ -77,8 +79,9 @@ Rect seen(const Widget& w) {
           ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
 }
 
-/// The areas a card must not cover, as drawn in the last frame: controls that move an axis, Stops, other
-/// widgets that are pressed or typed into except an editor and rows of text, and the cards of rows above.
+/// The areas that a card must not cover, as drawn in the last frame: controls that can start motion, Stops,
+/// other widgets that the user presses or types into (except an editor and rows of text), and the cards of
+/// rows above.
 class Taken {
  public:
   Taken(const Ui& ui, std::string_view own) : all_(ui.registry.widgets()), own_(own) {}
@@ -104,8 +107,8 @@ class Taken {
   std::string_view own_;
 };
 
-/// Beside a row of the left column, over the centre; if that is taken, further up or down, then further
-/// right. Rows in the centre itself are too close together for a card.
+/// A free place beside a row of the left column, over the centre. If it is taken, further up or down, then
+/// further right. Rows in the centre are too close together for a card.
 std::optional<Rect> free_place(const Ui& ui, const Taken& taken, const Rect& row, ImVec2 size) {
   const ImRect column = ImGui::GetCurrentWindow()->RootWindow->Rect();
   const float edge = ui.px(from_border), low = column.Min.y + edge, high = column.Max.y - edge - size.y;
@@ -120,7 +123,7 @@ std::optional<Rect> free_place(const Ui& ui, const Taken& taken, const Rect& row
   return {};
 }
 
-/// Covers the sentence of the status line, which says no more than the card.
+/// The place of a bar over the status line, whose sentence says no more than the bar.
 Rect bar_place(const Ui& ui) {
   const Widget* status = ui.registry.find("status/text");
   Rect place = status ? status->rect : Rect{ImVec2(0, ui.size_px.y - ui.px(32)), ui.size_px};
@@ -139,7 +142,7 @@ void begin_window(Ui& ui, std::string_view id, const Rect& place) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBackground |
                    ImGuiWindowFlags_NoNav);
-  // An open list or dialog lies over it.
+  // An open list or dialog must stay above the card.
   if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
   draw_fill(ui, place, ui[Tone::fault_t], 0);
@@ -162,12 +165,12 @@ void RefusalCard::begin(Frame& f, const Refusal& what, const Rect& row) {
     draw_bar_words();
   else
     draw_card_words();
-  place_in_rows(ui, what_, As{bar_}, width_, [&](int index, float x, float y) {
+  place_in_rows(ui, what_, CardForm{bar_}, width_, [&](int index, float x, float y) {
     if (index < 0) ImGui::SetCursorScreenPos(ImVec2(rows_.x + ui.px(x), rows_.y + ui.px(y)));
   });
 }
 
-/// Keeps its place as long as it may: nothing moves under the pointer.
+/// Keeps the card's place as long as it is free, so that nothing moves under the pointer.
 void RefusalCard::find_place(const Frame& f, const Rect& row) {
   Ui& ui = f.ui;
   const ImVec2 size(ui.px(card_width), card_height(ui, what_));
@@ -180,7 +183,7 @@ void RefusalCard::find_place(const Frame& f, const Rect& row) {
   const auto found = narrow ? std::nullopt : free_place(ui, taken, row, size);
   bar_ = !found;
   place_ = found ? *found : bar_place(ui);
-  ui.wake_in(0);  // the areas drawn there are known from the last frame only
+  ui.wake_in(0);  // the areas to avoid are only known from the last frame
 }
 
 void RefusalCard::draw_card_words() {
@@ -196,7 +199,7 @@ void RefusalCard::draw_card_words() {
   rows_ = ImVec2(x, place_.min.y + card_height(ui, what_) - ui.px(card_top + rows_height(ui, what_, width_)));
 }
 
-/// Two lines of small type; the full text as a tooltip.
+/// Draws the words in two lines of small type. The tip shows the full text.
 void RefusalCard::draw_bar_words() {
   Ui& ui = *ui_;
   width_ = row_of_all(ui, what_);
@@ -212,7 +215,7 @@ void RefusalCard::draw_bar_words() {
 RefusalTouch RefusalCard::end() {
   Ui& ui = *ui_;
   RefusalTouch done;
-  place_in_rows(ui, what_, As{bar_}, width_, [&](int index, float x, float y) {
+  place_in_rows(ui, what_, CardForm{bar_}, width_, [&](int index, float x, float y) {
     if (index < 0) return;
     const Action& a = what_.actions[static_cast<std::size_t>(index)];
     ButtonOptions o;
@@ -220,7 +223,7 @@ RefusalTouch RefusalCard::end() {
     o.moving = a.moving;
     o.height = bar_ ? in_bar : action_height;
     ImGui::SetCursorScreenPos(ImVec2(rows_.x + ui.px(x), rows_.y + ui.px(y)));
-    if (button(ui, a.id, label(a, As{bar_}), o).clicked) done.action = index;
+    if (button(ui, a.id, label(a, CardForm{bar_}), o).clicked) done.action = index;
   });
   ButtonOptions cross{.style = ButtonStyle::quiet, .icon = Icon::cross, .tip = "Close", .width = cross_size};
   if (bar_) cross.height = in_bar;

@@ -1,10 +1,10 @@
 #pragma once
-// A refusal shown beside the row of the left column that caused it: the words, the remedies, a cross. The
-// card covers the centre at the column's border. It moves nothing and covers no control that may be needed.
-// Without such a free place, in a narrow window, and for controls in the centre, it is a bar over the status
-// line.
+// Shows a refusal beside the row of the left column that caused it: the words, the remedies, a cross. The
+// card lies over the centre at the column's border. It moves nothing and covers no control that may be
+// needed. If there is no such place, in a narrow window, and for controls in the centre, it is a bar over the
+// status line.
 //
-// Usage: the panel keeps a RefusalCard for each row and draws it in each frame while the refusal stands.
+// Usage: the panel keeps a RefusalCard for each row and draws it in each frame until the refusal is closed.
 //
 //     const Path home("goto/{}/home", name), once("goto/{}/once", name);   // they must outlive the calls
 //     const gui::Action actions[] = {{.id = home, .label = "Home", .disabled = why, .moving = true},
@@ -17,7 +17,7 @@
 //     if (done.action == 0) ...                 // an index into `actions`
 //     if (done.closed) row.refused.clear();     // its cross
 //
-// The words have the id, the cross `<id>/close`. An action that moves waits as every moving button does,
+// The words have the id, the cross has `<id>/close`. An action that can start motion ignores an early press,
 // because a card appears suddenly.
 #include <span>
 #include <string_view>
@@ -28,9 +28,10 @@
 namespace hw::panels {
 
 struct Refusal {
-  std::string_view id;     ///< of its words: "goto/1/refused"
-  std::string_view about;  ///< in bold over them: "Go, X"
-  std::string_view words;  ///< the request, by how much it exceeds the range, and whether anything was done
+  std::string_view id;     ///< id of the words: "goto/1/refused"
+  std::string_view about;  ///< title in bold: "Go, X"
+  std::string_view
+      words;  ///< what was asked for, by how much it exceeds the range, and whether anything was done
   std::span<const gui::Action> actions;
   /// Logical width of the panel's own widget before the actions: in the card's row of 32, and in the bar's
   /// row of 28.
@@ -38,7 +39,7 @@ struct Refusal {
 };
 
 struct RefusalTouch {
-  int action = -1;  ///< the one just pressed
+  int action = -1;  ///< index of the action pressed in this frame
   bool closed = false;
 };
 
@@ -46,19 +47,19 @@ class RefusalCard {
  public:
   void begin(gui::Frame& frame, const Refusal& what, const gui::Rect& row);
   RefusalTouch end();
-  [[nodiscard]] bool is_bar() const { return bar_; }  ///< from begin() on
+  [[nodiscard]] bool is_bar() const { return bar_; }  ///< valid after begin()
 
  private:
   void find_place(const gui::Frame& frame, const gui::Rect& row);
   void draw_card_words();
   void draw_bar_words();
 
-  gui::Ui* ui_ = nullptr;  ///< valid like `what_` from begin() to end() only
+  gui::Ui* ui_ = nullptr;  ///< valid, as `what_`, only from begin() to end()
   Refusal what_;
-  gui::Rect place_{}, row_{};  ///< the card's place, and its row; empty: no place yet
+  gui::Rect place_{}, row_{};  ///< place of the card and of its row, in pixels; empty: no place yet
   bool bar_ = false;
   ImVec2 rows_{};    ///< where slot and actions begin
-  float width_ = 0;  ///< logical, of these rows
+  float width_ = 0;  ///< width of these rows, logical
 };
 
 }  // namespace hw::panels

@@ -30,28 +30,28 @@ void Terminal::draw(Frame& f) {
   desk_ = &desk;
   constexpr float head = 44, command_row = 48;
   with_head_ = f.area.height >= head + command_row + 3 * 20;
-  if (with_head_) draw_head(f, desk.traffic);
+  if (with_head_) draw_head(f, desk.records.traffic);
   const float bottom = f.ui.px(f.area.bottom());
   const float left_for_log = bottom - ImGui::GetCursorScreenPos().y - f.ui.px(command_row);
   const float height = std::max(left_for_log, f.ui.px(20));
   switch (shows_) {
-    case Shows::traffic: rows_.draw(f.ui, desk.traffic, height); break;
-    case Shows::events: happened_.draw(f, height); break;
+    case Shows::traffic: rows_.draw(f.ui, desk.records.traffic, height); break;
+    case Shows::events: event_view_.draw(f, height); break;
     case Shows::log: log_.draw(f, height); break;
   }
   if (!offered_.empty()) draw_list(f, bottom - f.ui.px(command_row));
   draw_command(f);
   if (const auto path = save_.draw(f.ui)) {
-    f.withdraw(&save_);  // why it was not saved before
-    desk.worker().run([path = *path, text = desk.traffic.text_of_all()] { return write_file(path, text); },
-                      [&console = f.console, path = *path, attempt = &save_](Result<> written) {
-                        if (written)
-                          console.toast(Severity::ok,
-                                        fmt::format("The traffic was saved as {}.", path.string()));
-                        else
-                          console.toast(Severity::fault, written.error().sentence(), attempt);
-                      },
-                      desk.alive());
+    f.withdraw(&save_);  // the message why the log was not saved
+    desk.work.worker().run(
+        [path = *path, text = desk.records.traffic.text_of_all()] { return write_file(path, text); },
+        [&console = f.console, path = *path, attempt = &save_](Result<> written) {
+          if (written)
+            console.toast(Severity::ok, fmt::format("The traffic was saved as {}.", path.string()));
+          else
+            console.toast(Severity::fault, written.error().sentence(), attempt);
+        },
+        desk.work.alive());
   }
   desk_ = nullptr;
 }
@@ -75,7 +75,7 @@ bool Terminal::older_or_newer(std::string& text, int direction) {
   return true;
 }
 
-// Tab completes the unambiguous part; if there is none, it lists the candidates.
+// Tab completes the unambiguous part. If there is none, it lists the candidates.
 bool Terminal::complete(std::string& text, std::size_t& cursor) {
   std::string longer = desk_->help.complete(text);
   if (longer != text) {
@@ -89,7 +89,7 @@ bool Terminal::complete(std::string& text, std::size_t& cursor) {
   return false;
 }
 
-/// A command of the list. True: it was clicked.
+/// Draws a command of the list. Returns true when it was clicked.
 static bool draw_offer(Ui& ui, const CommandInfo& command, bool chosen, float row, float help_at) {
   char id[64];
   const auto end = fmt::format_to_n(id, sizeof id, "terminal/offer/{}", command.form);
@@ -112,7 +112,8 @@ static bool draw_offer(Ui& ui, const CommandInfo& command, bool chosen, float ro
   return t.clicked;
 }
 
-/// Covers anything above the command, however small the terminal is; the command keeps the keyboard.
+/// The list covers everything above the command line, so that it fits in a small terminal. The command line
+/// keeps the keyboard.
 void Terminal::draw_list(Frame& f, float bottom) {
   Ui& ui = f.ui;
   const float row = ui.px(24), shown = static_cast<float>(std::min<std::size_t>(offered_.size(), 8));
@@ -132,7 +133,7 @@ void Terminal::draw_list(Frame& f, float bottom) {
   // As with every list, a press outside closes it.
   const bool outside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
-  // After the longest form; a form that would leave no room for its help is cut.
+  // The help begins after the longest form. A form that would leave no width for its help is cut.
   float help_at = ui.px(140);
   for (const std::size_t offered : offered_)
     help_at =
@@ -251,7 +252,7 @@ void Terminal::send(Frame& f) {
   if (to_all_)
     f.toast(Severity::plain,
             fmt::format("Sent to {}. None of them replies to that.", devices_meant_by_all(f).view()));
-  to_all_ = false;  // valid for one line: the next line must not go to all by oversight
+  to_all_ = false;  // the choice is for one line, so that the next line does not go to all by oversight
   auto& history = f.tab.desk().history;
   if (history.empty() || history.back() != command_) history.push_back(command_);
   constexpr std::size_t remembered = 200;

@@ -1,6 +1,6 @@
 #pragma once
-// The terminal: decoded traffic, and a line for sending commands by hand. In its place: the events, or the
-// program's log.
+// The terminal: decoded traffic, and a line for sending commands by hand. The events or the program's log can
+// be shown instead of the traffic.
 #include <string>
 #include <vector>
 
@@ -8,7 +8,7 @@
 #include "gui/shell/panel_entry.h"
 #include "gui/widgets/file_dialog.h"
 #include "gui/widgets/text_field.h"
-#include "panels/happened.h"
+#include "panels/event_view.h"
 #include "panels/log_view.h"
 #include "panels/terminal_log.h"
 
@@ -40,22 +40,22 @@ class Terminal final : public gui::Panel {
   bool complete(std::string& text, std::size_t& cursor);
 
   TerminalLog rows_;
-  Happened happened_;
+  EventView event_view_;
   enum class Shows : std::uint8_t { traffic, events, log };
   LogView log_;
   Shows shows_ = Shows::traffic;
   std::string command_, filter_;
   bool to_all_ = false;  ///< the next line is sent to all devices of the wire
   std::vector<std::string_view> to_names_;
-  gui::CommandHelp::Hint hint_;  ///< help ...
-  std::string hint_of_;          ///< ... for this text ...
-  bool hint_to_all_ = false;     ///< ... and for these recipients
+  gui::CommandHelp::Hint hint_;  ///< help
+  std::string hint_of_;          ///< the text to which hint_ belongs
+  bool hint_to_all_ = false;     ///< hint_ is for all recipients
   gui::LineHelp line_help_;
   bool with_head_ = true;
-  gui::Desk* desk_ = nullptr;  ///< set while drawing: for the two helpers of the line
+  gui::Desk* desk_ = nullptr;  ///< set while drawing, for the two functions of LineHelp
   std::size_t history_at_ = 0;
   std::string draft_;                 ///< typed before Up was pressed
-  std::vector<std::size_t> offered_;  ///< not empty: the list is open
+  std::vector<std::size_t> offered_;  ///< candidates; not empty: the list is open
   std::size_t offered_chosen_ = 0;
   bool took_offer_ = false;
   gui::FileDialog save_;

@@ -1,4 +1,4 @@
-// The title row of the terminal: the choice of its three lists, their tools, messages.
+// Draws the title row of the terminal: the choice of its three lists, their tools, and messages.
 #include <algorithm>
 #include <array>
 #include <span>
@@ -19,14 +19,15 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// Room for a message: for its sentence, and at least; and for the count of lost log entries.
+/// Logical widths: for a message with its sentence, at least for a message, and for the count of lost
+/// entries.
 constexpr float messages_wanted = 280, messages_at_least = 184, before_messages = 16, lost_width = 140;
 constexpr float wide_filter = 128, narrow_filter = 96, least_filter = 72, between_tools = 8;
 constexpr ButtonOptions log_menu_look{.style = ButtonStyle::quiet};
 
 struct LogTool {
   const char *id, *label, *tip;
-  Icon icon;  ///< instead of the label, where words have no room; none: the label is short
+  Icon icon;  ///< replaces a label that does not fit; none: the label is short
   bool* on;   ///< null: an action
 };
 
@@ -41,9 +42,9 @@ ButtonOptions look_of_tool(const LogTool& tool, bool words) {
   return look;
 }
 
-/// The place for messages at the right of this row is kept free also while there are none, so that nothing
-/// shifts under the mouse when one comes: tools give up their words for it. Only where that is not enough,
-/// they have the whole row, and then a menu.
+/// The place for messages at the right of the row stays free even while there are none, so that nothing
+/// shifts under the mouse when a message arrives. Tools are drawn without their words if that makes them fit.
+/// If it does not, they take the whole row, or become a menu.
 struct LogTools {
   bool words = true, in_menu = false;
   float filter = wide_filter, space = between_tools, width = 0;
@@ -101,17 +102,18 @@ void Terminal::draw_head(Frame& f, TrafficLog& log) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(44)));
 }
 
-/// Of the list that is shown. Returns their right end.
+/// Draws the tools of the list that is shown. Returns their right end.
 float Terminal::draw_tools(Frame& f, TrafficLog& log, float left, float top) {
   switch (shows_) {
     case Shows::traffic: break;
-    case Shows::events: return happened_.draw_tools(f, left, top);
+    case Shows::events: return event_view_.draw_tools(f, left, top);
     case Shows::log: return log_.draw_tools(f, left, f.ui.px(f.area.right() - 16), top);
   }
   return draw_traffic_tools(f, log, left, top);
 }
 
-/// Messages at the right end of the title row, if it has room for a sentence; else in the status line.
+/// Draws messages at the right end of the title row if a sentence fits there. Otherwise the status line shows
+/// them.
 void Terminal::draw_messages_behind(Frame& f, float left, float top) {
   Ui& ui = f.ui;
   const float right = ui.px(f.area.right() - 16), room = right - left - ui.px(before_messages);
@@ -120,8 +122,8 @@ void Terminal::draw_messages_behind(Frame& f, float left, float top) {
   draw_messages(ui, f.console.toasts(), {ImVec2(right - width, top), ImVec2(right, top + ui.px(32))});
 }
 
-/// Beside the menu that is the title, where there is no title row: room that the command gives at its end, so
-/// that nothing else moves. 0: no hint, or too little room.
+/// The width for messages beside the menu, where there is no title row. The command line gives it at its end,
+/// so that nothing else moves. 0: there is no hint, or too little width.
 float Terminal::width_for_messages(const Frame& f, float room) const {
   constexpr float command_at_least = 220, legible = 240;
   if (with_head_ || f.console.right_covers() || f.console.toasts().list().empty()) return 0;
@@ -129,7 +131,7 @@ float Terminal::width_for_messages(const Frame& f, float room) const {
   return width < legible ? 0 : width;
 }
 
-/// Returns their right end.
+/// Draws the tools of the traffic. Returns their right end.
 float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float top) {
   Ui& ui = f.ui;
   TrafficLog::View view = log.view();
@@ -137,7 +139,7 @@ float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float 
   const LogTool toggles[] = {
       {"terminal/decoded", "Decoded", "Shows the meaning of the bytes, from the manual.", Icon::meaning,
        &view.decoded},
-      {"terminal/fold", "Polls folded", "Shows the console's own questions in one line with a count.",
+      {"terminal/fold", "Polls folded", "Shows the console's own polls in one line with a count.",
        Icon::folded, &view.fold_polls},
       {"terminal/hex", "Hex", "Shows every byte in hexadecimal.", Icon::none, &view.hex},
   };
@@ -176,7 +178,7 @@ float Terminal::draw_traffic_tools(Frame& f, TrafficLog& log, float left, float 
   return ui.px(x + lost);
 }
 
-/// Without a title row the menu is the title.
+/// The label of the menu, which is the title where there is no title row.
 std::string_view Terminal::menu_label() const {
   if (with_head_) return "More";
   switch (shows_) {
@@ -193,10 +195,10 @@ float Terminal::menu_width(const Ui& ui) const {
   return button_width(ui, menu_label(), look);
 }
 
-/// The menu of head functions that have no room.
+/// Draws the menu of tools that do not fit into the title row.
 void Terminal::draw_log_menu(Frame& f) {
   if (shows_ == Shows::log) return draw_menu_of_log(f);
-  TrafficLog& log = f.tab.desk().traffic;
+  TrafficLog& log = f.tab.desk().records.traffic;
   TrafficLog::View view = log.view();
   const bool traffic = shows_ == Shows::traffic;
   const std::array<std::string_view, 8> names = {traffic ? "What happened" : "The terminal",

@@ -17,7 +17,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-// Columns of the look, logical pixels from the left edge.
+// Columns in logical pixels from the left edge.
 constexpr float time_x = 16, arrow_x = 122, raw_x = 140, meaning_x = 292, row_logical = 20;
 
 /// Received bytes in `tone`, substitutes for unprintable ones in ink3.
@@ -48,7 +48,7 @@ bool TerminalLog::chosen(const TrafficLog::Row& row) const {
 void TerminalLog::draw(Ui& ui, TrafficLog& log, float height) {
   const bool looking = log.update_rows();
   if (looking) ui.wake_in(0);
-  if (!log.view().fold_polls) ui.wake_in(0.25);  // a poll causes no frame, but unfolded polls must appear
+  if (!log.view().fold_polls) ui.wake_in(0.25);  // a poll requests no frame, but unfolded polls must appear
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ui[Tone::well]);
   ImGui::BeginChild("terminal/log", ImVec2(0, height), false,
@@ -56,7 +56,8 @@ void TerminalLog::draw(Ui& ui, TrafficLog& log, float height) {
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   const float row_height = ui.px(row_logical);
-  // At the end of the list only whole rows are shown: the last stands at the bottom, the first is not cut.
+  // At the end of the list only whole rows are shown: the last row is at the bottom, and the first row is not
+  // cut.
   const float rows_high = static_cast<float>(log.row_count()) * row_height + ui.px(8);
   const float past = std::max(0.0f, rows_high - height);
   const float whole = past > 0 ? height + std::ceil(past / row_height) * row_height : rows_high;
@@ -65,7 +66,7 @@ void TerminalLog::draw(Ui& ui, TrafficLog& log, float height) {
   choose(ui, log, row_height);
   ImGui::SetCursorPos(ImVec2(0, whole));
   ImGui::Dummy(ImVec2(0, 0));
-  // Only input on this list leaves its end; new rows while another button is down do not.
+  // Only input on this list scrolls away from its end; new rows while the mouse is down elsewhere do not.
   const bool wheel = ImGui::GetIO().MouseWheel != 0 && ImGui::IsWindowHovered();
   const bool bar = GImGui->ActiveId == ImGui::GetWindowScrollbarID(ImGui::GetCurrentWindow(), ImGuiAxis_Y);
   if (wheel || bar || dragging_) follow_ = ImGui::GetScrollY() >= whole - height - row_height;
@@ -77,7 +78,7 @@ void TerminalLog::draw_rows(Ui& ui, TrafficLog& log, float row_height) {
   size_ = ImGui::GetWindowSize();
   const float scroll = std::floor(ImGui::GetScrollY());
   const float top = corner.y - scroll + ui.px(4);
-  // At the end the first row stands whole under the border, without a strip of the previous one.
+  // At the end of the list the first row is whole, without a strip of the previous row.
   const float above = follow_ ? scroll : std::max(0.0f, scroll - ui.px(4));
   const auto begin = static_cast<std::size_t>(above / row_height);
   const std::size_t end =

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of traffic: only visible rows are drawn; selected with the mouse, copied as text.
+// Draws the visible rows of traffic. Rows can be selected with the mouse and copied as text.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,9 +32,9 @@ class TerminalLog {
   [[nodiscard]] bool chosen(const gui::TrafficLog::Row& row) const;
 
   bool follow_ = true;  ///< keep the newest row visible
-  // Record numbers: rows come and go at both ends, records keep their number.
+  // Record numbers, because rows come and go at both ends, while records keep their numbers.
   std::uint64_t anchor_ = none, caret_ = none;
-  bool dragging_ = false, active_ = false;  ///< active: the last click was into the rows
+  bool dragging_ = false, active_ = false;  ///< active: the last click was in the rows
   std::optional<gui::TrafficLog::Row> to_toggle_;
   std::string shown_text_;  ///< for scripts
   std::uint64_t shown_version_ = 0;

@@ -63,7 +63,7 @@ Result<std::pair<int, std::int64_t>> parse_assignment(std::string_view text, con
 
 void Variables::draw(Frame& f) {
   fields_.resize(static_cast<std::size_t>(f.catalog.variables.count));
-  f.tab.look_at_group(f.catalog.variables.readout_group);
+  f.tab.watched.look_at_group(f.catalog.variables.readout_group);
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   begin_part(ui, "variables", 0, ui.px(f.area.height - command_height), Tone::panel, 16);
@@ -128,7 +128,7 @@ void Variables::draw_cell(Frame& f, int n, float width) {
   const NumberEvent e = number_field(ui, Path("var/{}", n), name, shown, fields_[index], o);
   const std::string& sentence = fields_[index].sentence;
   const bool refused = e.field.left && !sentence.empty();
-  if (refused || e.committed) f.withdraw(&fields_[index]);  // the message about its last value
+  if (refused || e.committed) f.withdraw(&fields_[index]);  // the message about the previous value
   if (e.committed) f.send(intent::SetVariable(n, std::llround(e.value)));
   if (refused)
     f.toast(

@@ -1,6 +1,6 @@
 #pragma once
-// The numbered variables of the controller's programs: live, editable, stored ones marked, and a line that
-// accepts the maker's notation. Ids: `var/53`, `var/command`, `var/set`.
+// Shows the numbered variables of the controller's programs: live and editable, with a mark at stored
+// variables, and a line that accepts the maker's notation. Ids: `var/53`, `var/command`, `var/set`.
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +25,7 @@ class Variables final : public gui::Panel {
   std::string command_;
 };
 
-/// "V53=-3200", "V[53] = -3200" or "53=-3200": number and value.
+/// Reads number and value from "V53=-3200", "V[53] = -3200" or "53=-3200".
 Result<std::pair<int, std::int64_t>> parse_assignment(std::string_view text, const VariableFacts& facts);
 
 }  // namespace hw::panels

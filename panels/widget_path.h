@@ -1,5 +1,5 @@
 #pragma once
-// Widget paths and short texts on the stack: drawing a frame at rest allocates nothing.
+// Builds widget ids and short texts on the stack, so that a frame at rest allocates nothing.
 #include <string_view>
 
 #include <fmt/core.h>
@@ -29,7 +29,7 @@ inline Path with_minus(std::string_view name) {
   return Path("{}{}", minus ? name.substr(0, name.size() - 1) : name, minus ? "\u2212" : "");
 }
 
-/// A direction for display.
+/// The sign of a direction, for display.
 inline std::string_view sign_text(Sign sign) { return sign == Sign::plus ? "+" : "\u2212"; }
 
 }  // namespace hw::panels

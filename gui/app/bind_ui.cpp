@@ -1,4 +1,5 @@
-// `ui`: a script's input to the screen. What a user could not do is an error at the script's line.
+// Binds `ui`, a script's input to the screen. An action that a user could not do is an error in the script's
+// line.
 #include <lua.hpp>
 
 #include <fmt/core.h>

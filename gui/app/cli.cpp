@@ -30,13 +30,13 @@ constexpr OptionSpec for_all[] = {
      true},
 };
 
-/// For a MODEL, adds the known models to the help.
+/// The help of an argument; for a MODEL with the known models.
 std::string help_of(std::string_view name, std::string_view help) {
   return name == "MODEL" ? fmt::format("{}: {}", help, known_models()) : std::string(help);
 }
 
-// CLI11 splits "[a,b]", and takes words that begin with a dash for options. Words to be taken literally are
-// passed behind this mark.
+// CLI11 splits "[a,b]" and takes words that begin with a dash for options. This mark before a word makes
+// CLI11 take it literally.
 constexpr char as_it_stands = '\x01';
 
 std::string marked(std::string word) { return as_it_stands + std::move(word); }
@@ -45,7 +45,7 @@ std::string unmarked(std::string word) {
   return word;
 }
 
-/// In CLI11's order: the last first. A word after -- is never an option.
+/// The words in CLI11's order, the last first. A word after -- is never an option.
 std::vector<std::string> words_for_parser(int argc, char** argv) {
   std::vector<std::string> words;
   bool behind_dashes = false;
@@ -60,7 +60,7 @@ std::vector<std::string> words_for_parser(int argc, char** argv) {
   return words;
 }
 
-// One subcommand for CLI11, and the place of its results.
+// A subcommand for CLI11, and its results.
 struct Parsed {
   const Subcommand* command;
   CLI::App* app;
@@ -118,7 +118,7 @@ Given collect(Parsed& parsed) {
   return given;
 }
 
-/// "handwheel send", or "handwheel" alone: the command whose help to show.
+/// The command whose help to show: "handwheel send", or "handwheel" alone.
 std::string asked_for(const CLI::App& app) {
   std::string name = app.get_name();
   for (const CLI::App* one : app.get_subcommands()) name += " " + one->get_name();
@@ -153,16 +153,18 @@ std::string where_to_read_on() {
   return manual.empty() ? "" : fmt::format("\nManual and examples: {}.", manual.parent_path().string());
 }
 
-/// `driver.vmx=debug` would wait for a controller that never comes.
+/// Without this check `driver.vmx=debug` would silently log nothing.
 Result<> check_models(std::string_view choices) {
   constexpr std::string_view of_a_driver = "driver.";
   for (std::size_t from = 0; from <= choices.size();) {
     const std::size_t comma = std::min(choices.find(',', from), choices.size());
     const std::string_view path = choices.substr(from, std::min(choices.find('=', from), comma) - from);
     if (path.starts_with(of_a_driver))
-      if (const auto model = path.substr(of_a_driver.size()); !find_device_type(model))
-        return fail(FaultKind::text, fmt::format("--log: There is no controller model \"{}\".", model), {},
-                    known_models_near(model));
+      if (const auto model = path.substr(of_a_driver.size()); !find_device_type(model)) {
+        Fault unknown = unknown_model(model);
+        unknown.what.insert(0, "--log: ");
+        return fail(std::move(unknown));
+      }
     from = comma + 1;
   }
   return {};
@@ -185,7 +187,7 @@ int fulfil(const CLI::App& app, const CLI::Success& request) {
   return status == 0 ? done : usage;
 }
 
-/// A result that cannot be written makes the job fail.
+/// The status fails if a result could not be written.
 int status_with_output(int status) {
   if (!output_is_lost() || status == usage) return status;
   return output_loss_is_reported() ? failed : complain(output_loss());
@@ -215,7 +217,7 @@ std::span<const Subcommand* const> subcommands() { return all_subcommands; }
 std::span<const OptionSpec> general_options() { return for_all; }
 
 int complain(std::string_view sentence, Exit status, LineEnds ends) {
-  constexpr std::size_t longest = 4000;  // words of the command line, of a file or of a wire may stand in it
+  constexpr std::size_t longest = 4000;  // it may contain words of the command line, a file or a wire
   write_aside(fmt::format("handwheel: {}", shown_text(sentence, longest, ends)));
   return status;
 }

@@ -1,4 +1,4 @@
-// The window: io thread, console, panels. `demo` adds emulated controllers.
+// Runs the console in a window: io thread, console, panels. `demo` adds emulated controllers.
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -31,34 +31,34 @@ std::string_view name_of_signal(int number) {
   return number == SIGTERM ? "SIGTERM" : number == SIGHUP ? "SIGHUP" : "SIGINT";
 }
 
-// All parts of a console, in the order in which they must end.
-class ConsoleHouse {
+// All parts of a console, in the order of their construction; they end in the reverse order.
+class ConsoleApp {
  public:
-  ConsoleHouse(bool keeps_files, std::shared_ptr<WillKeeper> watchdog)
+  ConsoleApp(bool keeps_files, std::shared_ptr<WillKeeper> watchdog)
       : watchdog_(std::move(watchdog)),
         worker_([this] { wake(); }, true),
         ports_(io_.scheduler(), [this] { wake(); }),
         devices_(io_.scheduler(), [this] { wake(); }),
         console_(panels::panel_list(), outside(keeps_files)) {}
-  ~ConsoleHouse() {
+  ~ConsoleApp() {
     leave_controllers();
-    io_.stop();  // before anything its thread may still use
+    io_.stop();  // before the objects that its thread may still use
     window_ = nullptr;
   }
 
-  /// Stops held jogs and leaves every controller in order. Activity that continues there is reported.
+  /// Stops held jogs and closes every controller. Reports motions and programs that continue.
   void leave_controllers() {
     console_.let_go();
     console_.save();
     console_.close_all();
     while (console_.closing() > 0) std::this_thread::sleep_for(Millis(2));
-    for (const std::string& sentence : console_.take_last_words()) complain(sentence);
+    for (const std::string& sentence : console_.take_closing_messages()) complain(sentence);
   }
 
-  /// The session of the user ends: stops what was begun here, including held jogs.
-  void depart(std::string_view how) { console_.depart(how); }
+  /// Call when the user's session ends. Stops the motions and programs begun here, including held jogs.
+  void shut_down(std::string_view how) { console_.shut_down(how); }
 
-  /// For an exit without destructors: waits until the worker has written everything.
+  /// Waits until the worker has written all texts. Call before an exit without destructors.
   void keep_texts() { worker_.finish(); }
 
   gui::Console& console() { return console_; }
@@ -103,7 +103,7 @@ void keep_log() {
     log::warning("gui", kept.error().sentence());
 }
 
-/// Beside a program built here; for an installed one, in the user's present folder.
+/// The folder beside a program built here; for an installed program, the present folder of the user.
 std::string folder_for_pictures() {
   const std::string folder = folder_of_program();
   return is_installed(folder) ? "handwheel-demo" : folder + "/demo";
@@ -115,10 +115,10 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
   auto window = gui::Window::open(options);
   if (!window) return complain(window.error());
   keep_log();
-  ConsoleHouse house(true, std::move(watchdog));
-  gui::Console& console = house.console();
+  ConsoleApp app(true, std::move(watchdog));
+  gui::Console& console = app.console();
   gui::Window& w = **window;
-  house.show_in(w);
+  app.show_in(w);
   w.screen().set_theme(console.dark());
   float size = console.size();
   w.set_user_scale(size);
@@ -130,11 +130,13 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
     return console.dialogs.may_end(console);
   };
   const gui::DisplayGuard guard(
-      [&house] {
-        house.depart("the display went away");
-        house.leave_controllers();
-        house.keep_texts();
-        complain("The display is gone. Everything that this console had begun was told to stop.");
+      [&app] {
+        app.shut_down("the display went away");
+        app.leave_controllers();
+        app.keep_texts();
+        complain(
+            "The display is gone. What this console had started was stopped, as far as a controller was "
+            "connected.");
       },
       [&console] {
         console.let_go();
@@ -145,13 +147,13 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
     if (auto opened = console.open(address); !opened) return complain(opened.error(), usage);
   if (demo) console.start_demo();
   std::atomic<int> signal{0};
-  Interruption interrupted(house.scheduler(), [&](int number) {
+  Interruption interrupted(app.scheduler(), [&](int number) {
     signal = number;
     w.close();
     w.wake();
   });
   w.run([&](gui::Ui& ui) {
-    house.draw(ui);
+    app.draw(ui);
     if (console.ended()) w.close();
     if (w.screen().dark() != console.dark()) {
       w.screen().set_theme(console.dark());
@@ -159,7 +161,7 @@ int run_window(const std::vector<std::string>& addresses, bool demo) {
     }
     if (size != console.size()) w.set_user_scale(size = console.size());
   });
-  if (signal != 0) house.depart(name_of_signal(signal));
+  if (signal != 0) app.shut_down(name_of_signal(signal));
   return done;
 }
 

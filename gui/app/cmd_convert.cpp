@@ -23,9 +23,9 @@
 namespace hw::app {
 namespace {
 
-/// --id 01-02: controllers of one axis each that share a wire and draw together. They have no program
+/// --id 01-02 names controllers of one axis each that share a wire and draw together. They have no program
 /// language.
-Result<MeantFor> read_target(const Given& given) {
+Result<TargetController> read_target(const Given& given) {
   auto meant = read_for(given);
   if (!meant || !given.has("id")) return meant;
   const auto address = Address::parse(fmt::format("{}@emulator,id={}", given.one("for"), given.one("id")));
@@ -45,13 +45,13 @@ Result<MeantFor> read_target(const Given& given) {
         fmt::format("--id {}: only several controllers of one axis each draw together.", given.one("id")), {},
         "Write --for dmx-k-sa --id 01-02, for instance.");
   if (!given.one("output").ends_with(".toml"))
-    return fail(FaultKind::text, "Several controllers share no single program.", {},
+    return fail(FaultKind::text, "Several controllers cannot share one program.", {},
                 "Write the sequence: -o OUT.toml. A script runs it with bus:run_in_pieces(text).");
-  return MeantFor{nullptr, std::move(*together)};
+  return TargetController{nullptr, std::move(*together)};
 }
 
-/// The program text if there is a language; else a check that it can be drawn.
-Result<SequenceText> write(const sequence::Sequence& sequence, const MeantFor& meant) {
+/// Writes the program text if there is a language; otherwise only checks that the sequence can be drawn.
+Result<SequenceText> write(const sequence::Sequence& sequence, const TargetController& meant) {
   if (meant.language) return meant.language->write(sequence, meant.catalog);
   const auto parts = pieces_together(sequence, meant.catalog, 0);
   if (!parts) return fail(parts.error());
@@ -74,7 +74,7 @@ Result<> leave_out(const drawing::Drawing& drawing, const Given& given, Conversi
   return {};
 }
 
-/// Time that the order saves on moves with the tool off; none: their speed is not known.
+/// Time in seconds that the order saves on moves with the tool off; nullopt: their speed is not known.
 std::optional<double> saved_seconds(const Conversion& c, const ConversionOptions& o) {
   if (!(o.travel.high > 0)) return std::nullopt;
   return (c.way_as_drawn - c.way) / o.travel.high;
@@ -88,17 +88,18 @@ struct Made {
   std::string read_in;  ///< the unit assumed
   Rehearsal rehearsal;
   std::vector<drawing::HiddenLayer> hidden;  ///< not requested by the user
-  std::vector<std::string> problems;         ///< of the program: too large for the memory
+  std::vector<std::string> problems;         ///< why the program does not fit, such as too little memory
 };
 
-/// Empty when the user has named layers, as the others are then left out on purpose.
+/// The layers left out. Empty when the user has named layers, because the others are then left out on
+/// purpose.
 std::vector<drawing::HiddenLayer> layers_left_out(const drawing::Drawing& drawing,
                                                   const ConversionOptions& o) {
   if (!o.layers.empty()) return {};
   return hidden_layers(drawing);
 }
 
-/// The entities of a box around all the others: perhaps a margin.
+/// The entities of a box around all others, which may be a margin.
 std::vector<int> box_around(const Made& m) {
   std::vector<int> entities;
   const Conversion& c = m.conversion;
@@ -173,7 +174,7 @@ void print_words(const Made& m) {
 
 }  // namespace
 
-/// The duration in pieces, as after power-up and on a wire of usual speed.
+/// Works out the duration in pieces, after power-up and on a wire of usual speed.
 static void rehearse(const Pieces& pieces, const Catalog& catalog, Made& made) {
   constexpr Duration at_most = std::chrono::hours(1);
   std::string address = fmt::format("{}@emulator,wire=real", catalog.model);
@@ -186,8 +187,8 @@ static void rehearse(const Pieces& pieces, const Catalog& catalog, Made& made) {
   made.rehearsal.finished = true, made.rehearsal.duration_s = done->duration_s;
 }
 
-/// For a drawing that the controller cannot hold: where it can be drawn instead.
-static std::string elsewhere(Made& made, const MeantFor& meant) {
+/// Says where a drawing that the controller cannot hold can be drawn instead.
+static std::string elsewhere(Made& made, const TargetController& meant) {
   const auto pieces = meant.language->in_pieces(made.conversion.sequence, meant.catalog);
   if (!pieces) return "It cannot be drawn in pieces either: " + pieces.error().sentence();
   rehearse(*pieces, meant.catalog, made);
@@ -197,7 +198,7 @@ static std::string elsewhere(Made& made, const MeantFor& meant) {
       pieces->all.size(), pieces->all.size() == 1 ? "" : "s");
 }
 
-static void try_it(Made& made, const MeantFor& meant) {
+static void try_it(Made& made, const TargetController& meant) {
   for (const Problem& p : meant.language->analyse(made.written.text, 0).problems) {
     if (!p.error) continue;
     made.problems.push_back(p.sentence);
@@ -243,7 +244,7 @@ static void report_left_out(const std::string& path, const drawing::Drawing& dra
                     path, l.name, l.entities, l.entities == 1 ? "y" : "ies", l.name));
 }
 
-/// Each chain may have its own remark: prints some, the report has the rest.
+/// Prints some of the remarks, because each chain may have one; the report has the rest.
 static void print_remarks(const std::vector<std::string>& remarks) {
   constexpr std::size_t most = 6;
   for (std::size_t i = 0; i < std::min(most, remarks.size()); ++i) write_aside(remarks[i]);
@@ -251,7 +252,7 @@ static void print_remarks(const std::vector<std::string>& remarks) {
     write_aside(fmt::format("And {} more remark{}; --json lists all.", more, more == 1 ? "" : "s"));
 }
 
-/// Reports assumed values, and those that differ from the file.
+/// Reports values that were assumed or that differ from the file.
 static void report_assumed(const Given& given, const drawing::Drawing& drawing, const Catalog& catalog) {
   if (!given.has("per-unit") && !given.has("step-length") && !given.has("profile"))
     write_aside(fmt::format("--per-unit was not given: 1 is assumed ({} per {}).", catalog.step_word,
@@ -261,7 +262,7 @@ static void report_assumed(const Given& given, const drawing::Drawing& drawing, 
                             given.one("unit")));
 }
 
-/// A program that the controller cannot hold is not written.
+/// Writes the program, unless the controller cannot hold it.
 static int keep(const Made& made, const std::string& out) {
   const bool as_sequence = out.ends_with(".toml");
   for (const std::string& problem : made.problems) write_aside(problem);

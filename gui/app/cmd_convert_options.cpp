@@ -14,7 +14,7 @@
 namespace hw::app {
 namespace {
 
-/// The option overrides the file.
+/// The unit of the option overrides the unit of the file.
 Result<> read_unit(const Given& given, ConversionOptions& o) {
   const auto times = given.number("times", 1, 1e-9, 1e9);
   if (!times) return fail(times.error());
@@ -98,7 +98,7 @@ Result<> read_pen_axis(const Given& given, PlainTool& tool) {
   return {};
 }
 
-/// The tool's delays: separate ones for each direction, else the same.
+/// Reads the tool's delays: one for each direction, or one for both.
 Result<> read_pen_delays(const Given& given, PlainTool& tool) {
   const auto both = given.number("pen-delay", 0, 0, 1e6);
   if (!both) return fail(both.error());

@@ -1,5 +1,5 @@
 #pragma once
-// The options of `handwheel convert`.
+// Reads the options of `handwheel convert`.
 #include "core/session/conversion.h"
 #include "gui/app/cli.h"
 

@@ -15,7 +15,7 @@
 namespace hw::app {
 namespace {
 
-/// By the unit of length that the console keeps for an axis of the controller at --profile.
+/// The scale from the unit of length that the console keeps for an axis of the controller at --profile.
 Result<double> kept_scale(const Given& given, const Catalog& catalog, const std::string& axis) {
   const auto address = Address::parse(given.one("profile"));
   if (!address) return fail(address.error());

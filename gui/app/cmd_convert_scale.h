@@ -1,5 +1,6 @@
 #pragma once
-// How many steps of an axis are in a mm, or in an inch with --inch: as typed, or as the console keeps it.
+// Reads the steps of an axis per mm, or per inch with --inch, from the command line or from the console's
+// profile.
 #include <string>
 #include <vector>
 
@@ -9,10 +10,10 @@
 
 namespace hw::app {
 
-/// Of the axes that draw: --per-unit, --step-length, --profile, else 1.
+/// The scales of the axes that draw: from --per-unit, --step-length or --profile, else 1.
 [[nodiscard]] Result<std::vector<double>> read_scales(const Given& given, const Catalog& catalog,
                                                       const std::vector<std::string>& axes);
-/// Of an axis that lowers the tool: --pen-per-unit, --profile, else `otherwise`.
+/// The scale of an axis that lowers the tool: from --pen-per-unit or --profile, else `otherwise`.
 [[nodiscard]] Result<double> read_pen_scale(const Given& given, const Catalog& catalog,
                                             const std::string& axis, double otherwise);
 

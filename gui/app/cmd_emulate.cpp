@@ -22,7 +22,8 @@ struct Order {
   bool allow_remote;
 };
 
-// A private line: one controller, with clients over TCP only. It also answers without its id.
+// Whether one controller is alone on its line, with clients over TCP only. It then answers without its id
+// too.
 bool alone_on_its_line(const Order& order) {
   const auto is_pty = [](const auto& endpoint) { return endpoint.first == "pty"; };
   return order.ids.size() <= 1 && std::none_of(order.endpoints.begin(), order.endpoints.end(), is_pty);
@@ -33,20 +34,20 @@ Result<> understand_ids(Order& order) {
   if (!catalog) return fail(catalog.error());
   if (!order.ids.empty() && !catalog->addressed())
     return fail(FaultKind::text, fmt::format("The {} has no --id.", catalog->short_name), {},
-                "It has a line for itself.");
+                "It does not share a line.");
   for (const std::string& id : order.ids)
     if (id.size() != 2 || id.find_first_not_of("0123456789") != id.npos)
-      return fail(FaultKind::text, fmt::format("--id {} is not a number on a line.", id), {},
+      return fail(FaultKind::text, fmt::format("--id {} is not a device number.", id), {},
                   "Give two digits, as --id 07.");
   for (auto id = order.ids.begin(); id != order.ids.end(); ++id)
     if (std::find(order.ids.begin(), id, *id) != id)
       return fail(FaultKind::text, fmt::format("--id {} is given twice.", *id), {},
-                  "On one line each controller has a number of its own.");
+                  "Give each controller on a line its own number.");
   if (catalog->addressed() && alone_on_its_line(order)) order.keys["unaddressed"] = "yes";
   return {};
 }
 
-// A board on a bus is served by a bus port, a device on a line by the other endpoints.
+// A board on a bus needs a bus port, a device on a line one of the other endpoints.
 Result<> check_endpoints(const Order& order) {
   const auto catalog = order.type->make_catalog({});
   if (!catalog) return fail(catalog.error());
@@ -70,15 +71,13 @@ Result<> check_endpoints(const Order& order) {
   return {};
 }
 
-// The options of the command line become keys of an emulator's address.
+// Turns the options of the command line into keys of an emulator's address.
 Result<Order> understand(const Given& given) {
   Order order{find_device_type(given.words[0]), {}, given.all("id"), {}, given.has("allow-remote")};
   for (const auto& option : given.in_order)
     if (option.first == "tcp" || option.first == "pty" || option.first == "bus")
       order.endpoints.push_back(option);
-  if (!order.type)
-    return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.words[0]), {},
-                known_models_near(given.words[0]));
+  if (!order.type) return fail(unknown_model(given.words[0]));
   if (auto fit = check_endpoints(order); !fit) return fail(fit.error());
   for (const char* key : {"motors", "variant", "jumpers", "speed", "state", "bench"})
     if (given.has(key)) order.keys[key] = given.one(key);
@@ -116,7 +115,7 @@ Result<> serve_pty(Scheduler& scheduler, const Order& order, EmulatorHost& host,
   return {};
 }
 
-// A model that keeps nothing without power accepts --state too, with this warning.
+// Warns of --state for a model that keeps nothing without power.
 void warn_of_empty_memory(const Order& order) {
   const auto catalog = order.type->make_catalog({});
   if (!order.keys.contains("state") || !catalog || catalog->can.store) return;
@@ -144,7 +143,7 @@ Task<int> serve(Scheduler& scheduler, const Order& order) {
     if (!endpoint) co_return complain(endpoint.error(), status_of(endpoint.error()));
     listening.push_back(std::move(*endpoint));
   }
-  if (!output_is_lost()) co_await ended.wait();  // else the user does not know where to connect
+  if (!output_is_lost()) co_await ended.wait();  // without the output the user does not know where to connect
   co_return done;
 }
 
@@ -165,8 +164,8 @@ const Subcommand emulate_subcommand{
      {"pty", "PATH", "make a pseudo-terminal and this symlink to it", true},
      {"id", "NN", "number on its line, two digits; several: that many controllers on one line", true},
      {"motors", "N", "number of motors; 3 or 4: a Master with its Slave linked"},
-     {"variant", "V", "model of the board (vme58): 8S, 4S4, 8, 4E, 2S2, 2S6, 6S2, 4S or 4"},
-     {"jumpers", "GGG", "its general lines 0-3, 4-7, 8-11 (vme58): I input, O output (default IIO)"},
+     variant_option,
+     jumpers_option,
      {"speed", "X", "speed relative to real time (default 1)"},
      {"wire", "real|off", "simulate the byte times of the baud rate (default: real with a --pty, else off)"},
      {"quirk", "NAME", "a quirk of some units, such as overrun or e-bar (vxm), padded (vme58)", true},

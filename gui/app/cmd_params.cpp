@@ -3,40 +3,25 @@
 
 #include <fmt/format.h>
 
-#include "core/base/near_name.h"
 #include "core/device/registry.h"
 #include "core/session/address.h"
 #include "core/session/parameter_file.h"
 #include "gui/app/cli.h"
 #include "gui/app/output.h"
+#include "gui/app/program_file.h"
 
 namespace hw::app {
 namespace {
 
 using ParamJson = nlohmann::ordered_json;
 
-constexpr const char* option_keys[] = {"variant", "motors"};
-
-// The controller as configured by its options.
 Result<Catalog> catalog_of(const Given& given) {
-  const std::string& model = given.words[0];
-  const DeviceType* type = find_device_type(model);
-  std::vector<std::string> models;
-  for (const DeviceType& each : device_types()) models.emplace_back(each.model);
-  if (!type)
-    return fail(FaultKind::text,
-                fmt::format("There is no controller model \"{}\".{}", model, did_you_mean(model, models)), {},
-                fmt::format("Known: {}.", known_models()));
-  DeviceOptions keys;
-  for (const char* key : option_keys)
-    if (given.has(key)) keys[key] = given.one(key);
-  auto catalog = type->make_catalog(keys);
-  if (catalog && catalog->made_from.size() < keys.size())
-    return fail(FaultKind::text, fmt::format("A {} has no --{}.", model, keys.begin()->first));
-  return catalog;
+  const DeviceType* type = find_device_type(given.words[0]);
+  if (!type) return fail(unknown_model(given.words[0]));
+  return catalog_for(*type, given);
 }
 
-/// In the maker's notation: 0.8, "4EX07".
+/// A value in the maker's notation: 0.8, "4EX07".
 std::string written(const ParamInfo& info, std::int64_t value) {
   if (!info.prefix.empty()) return fmt::format("{}{:0{}}", info.prefix, value, info.digits);
   if (info.decimals == 0) return fmt::format("{}", value);
@@ -57,11 +42,12 @@ void print_parameters(const Catalog& catalog, const AccelerationUnit& accelerati
     print_result("{:<{}}  {}{}: {} (default {})\n", info.mnemonic, widest, info.label,
                  info.unit.empty() ? "" : fmt::format(" [{}]", info.unit), written_range(info),
                  written(info, info.fallback));
+  if (acceleration.maximum == 0) return;  // the controller has no such setting
   print_result("acceleration= of one motion of a script: {} to {} {}; {}\n", acceleration.minimum,
                acceleration.maximum, acceleration.unit, acceleration.meaning);
 }
 
-/// A number, unless the maker uses a name.
+/// A value as a number, or as a name if the maker uses one.
 ParamJson as_json(const ParamInfo& info, std::int64_t value) {
   const std::string text = written(info, value);
   return info.prefix.empty() ? ParamJson::parse(text) : ParamJson(text);
@@ -104,9 +90,7 @@ const Subcommand params_subcommand{
     "params",
     "the parameters of a model: name, label, unit, range, default",
     {{"MODEL", "the model", 1, 1}},
-    {{"json", "", "print one JSON object"},
-     {"motors", "N", "number of motors (vxm): 2 or 4"},
-     {"variant", "V", "model of the board (vme58): 8S, 4S4, 8, 4E, 2S2, 2S6, 6S2, 4S or 4"}},
+    {json_option, {"motors", "N", "number of motors (vxm): 2 or 4"}, variant_option},
     params,
 };
 

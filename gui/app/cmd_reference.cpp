@@ -1,4 +1,4 @@
-// The manual page and the shell completions: both from the tables of the command line itself.
+// Prints the manual page and the shell completions, both made from the tables of the command line.
 #include "gui/app/cli.h"
 #include "gui/app/completion.h"
 #include "gui/app/manual_page.h"

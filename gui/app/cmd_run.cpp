@@ -9,7 +9,7 @@
 
 namespace hw::app {
 
-/// The units of the window, else those that the console keeps, if requested.
+/// The units of the script's screen, or the units that the console keeps, if requested.
 static script::AxisUnits::Kept kept_units(const Given& given, const ScriptStage* stage) {
   const auto kept = given.has("profile")
                         ? std::make_shared<KeptUnits>(UserFolders::standard(),
@@ -51,7 +51,7 @@ static int run_script(const Given& given) {
   Watchdog watchdog(runner);
   runner.on_real_time = [&] {
     if (stage) stage->time_is_real();
-    watchdog.take_signals();  // real motors are stopped; virtual ones simply end
+    watchdog.take_signals();  // only real motors must be stopped
   };
   if (scheduler.is_real()) runner.on_real_time();
   auto outcome = runner.run(file->text);

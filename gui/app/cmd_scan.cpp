@@ -32,7 +32,7 @@ bool not_opened(const PortReport& report) {
          report.finding == PortFinding::unusable;
 }
 
-/// A named port that cannot be asked fails the job; among all ports it is a finding.
+/// Asks all ports. A named port that cannot be asked fails the job; another port is only reported.
 Task<int> scan_all(Scheduler& scheduler, std::vector<SerialPort> ports, bool named) {
   int status = done;
   std::function<void(const PortReport&)> on_report = [&status, named](const PortReport& report) {
@@ -54,7 +54,7 @@ Task<int> search_ids(Scheduler& scheduler, DeviceSearch search) {
   co_return done;
 }
 
-// The named ports, even if the system does not list them (a pseudo-terminal); else all.
+// The named ports, even if the system does not list them (a pseudo-terminal); without names all ports.
 std::vector<SerialPort> ports_meant(const std::vector<std::string>& named) {
   const std::vector<SerialPort> listed = list_serial_ports();
   if (named.empty()) return listed;
@@ -73,14 +73,14 @@ bool two_digits(std::string_view text) {
   return text.size() == 2 && text.find_first_not_of("0123456789") == text.npos;
 }
 
-// "00-99", or "07" for one.
+// Reads "00-99", or "07" for a single id.
 Result<> read_ids(const std::string& text, DeviceSearch& search) {
   const std::string_view first = std::string_view(text).substr(0, 2);
   const std::string_view last =
       text.size() == 2 ? first : std::string_view(text).substr(std::min<std::size_t>(3, text.size()));
   const bool dash = text.size() == 2 || (text.size() == 5 && text[2] == '-');
   if (!dash || !two_digits(first) || !two_digits(last) || last < first)
-    return fail(FaultKind::text, fmt::format("--ids {} are not numbers on a line.", text), {},
+    return fail(FaultKind::text, fmt::format("--ids {} is not a range of device numbers.", text), {},
                 "Give the first and the last with two digits each, as --ids 00-99.");
   search.first_id = std::stoi(std::string(first));
   search.last_id = std::stoi(std::string(last));

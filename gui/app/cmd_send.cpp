@@ -17,7 +17,7 @@ constexpr Duration for_an_answer = Millis(1000);  // in addition to the time on 
 constexpr Duration for_a_prompt = Millis(150);    // for a text that may cause a prompt
 constexpr double longest_run_s = 60;
 
-// One reply a line; raw status bytes that no terminal can show as \xFF.
+// Prints a reply in a line. Raw status bytes, which no terminal can show, are written as \xFF.
 void print_reply(std::string_view reply) {
   std::string shown;
   for (const char c : reply) {
@@ -28,7 +28,8 @@ void print_reply(std::string_view reply) {
   print_result("{}\n", shown);
 }
 
-// Remarks on text and reply: an unknown command, a limit that the text leads past, an error report in words.
+// Prints remarks on text and reply: an unknown command, a limit that the text leads past, an error report in
+// words.
 void print_warnings(Session& session, const KeptLimits& limits) {
   session.notices().drain([&limits](Notice& notice) {
     if (notice.kind != Notice::Kind::info && notice.kind != Notice::Kind::program)
@@ -36,11 +37,11 @@ void print_warnings(Session& session, const KeptLimits& limits) {
   });
 }
 
-/// Stopped by the user with Ctrl-C, or because the replies are no longer read.
+/// A stop by the user with Ctrl-C, or because the replies are no longer read.
 struct Stopped {
   static constexpr IntentId id = 1;  ///< no other intent is posted here
   bool asked = false;
-  bool unseen = false;  ///< a text was sent, and no status round shows its effect yet
+  bool unseen = false;  ///< true: a text was sent, and no status round shows its effect yet
 };
 
 bool busy(const Snapshot& s) {
@@ -75,8 +76,7 @@ class Replies {
   int status_ = done;
 };
 
-// Unsolicited text belongs to the text that made the controller busy: it is printed until the controller is
-// idle.
+// Prints unsolicited text until the controller is idle: it belongs to the text that made the controller busy.
 Task<bool> print_until_idle(std::shared_ptr<Session> session, Replies& replies, std::string text,
                             Instant give_up) {
   co_await session->pump().refresh();
@@ -100,7 +100,8 @@ Task<int> send_one(std::shared_ptr<Session> session, Replies& replies, std::stri
   co_return replies.status();
 }
 
-// A prompt belongs to the text that causes it, so the next text waits for it; but nothing delays a stop.
+// Whether the next text waits. A prompt belongs to the text that causes it, so the next text waits for it; a
+// stop never waits.
 bool waits_before(const Pump& pump, const std::string& text, const std::string& next) {
   const TextMeaning meaning = pump.meaning_of(text);
   return meaning.answered != TextMeaning::Answered::at_once && meaning.end_is_reported &&
@@ -118,8 +119,8 @@ Task<int> wait_for_rest(Scheduler& scheduler, std::shared_ptr<Session> session, 
   co_return replies.status();
 }
 
-/// Sends texts one after another. A failed text ends the series; one whose end did not come in time does not.
-/// Nothing is sent after a stop by the user, or when the replies are no longer read.
+/// Sends texts one after another. A text that fails ends the series; a text that does not end in time does
+/// not. No text is sent after a stop by the user, or when the replies are no longer read.
 Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session, const KeptLimits& limits,
                      std::span<const std::string> texts, double wait_s, Stopped& stopped) {
   const Pump& pump = session->pump();
@@ -144,12 +145,12 @@ Task<int> send_texts(Scheduler& scheduler, std::shared_ptr<Session> session, con
   co_return std::max(status, replies.status());
 }
 
-/// A controller in an error state may accept only texts that stop or reset it: such a first text is sent
-/// while the connection is being made, if nothing else is answered.
+/// A controller in an error state may accept only texts that stop or reset it. Such a first text is sent
+/// while connecting, if the controller answers nothing else.
 Task<int> send_stop_first(std::shared_ptr<Session> session, std::string text) {
   const auto reply = co_await session->pump().query(text, for_an_answer);
-  // Some stops are never answered. The connection shows whether the controller is there.
-  if (!reply && reply.error().kind == FaultKind::refused)  // the reason for its absence is known by then
+  // Some stops are never answered; the connection shows whether the controller is there.
+  if (!reply && reply.error().kind == FaultKind::refused)  // the refusal says why it is not there
     if (const auto connected = co_await session->wait_until_connected(); !connected)
       co_return complain(connected.error(), status_of(connected.error()));
   if (!reply && reply.error().kind != FaultKind::no_answer)
@@ -165,7 +166,7 @@ void stop(Session& session, Stopped& stopped) {
   if (!std::exchange(stopped.asked, true)) session.pump().post(Intent(Stopped::id, intent::Stop()));
 }
 
-/// An interrupt while something moves, or may have begun to, means stop; otherwise the program simply ends.
+/// An interrupt while an axis moves, or may have begun to, sends a stop; otherwise the program just ends.
 void when_interrupted(Session& session, Stopped& stopped) {
   if (!may_move(session, stopped)) std::raise(SIGINT);
   stop(session, stopped);

@@ -29,7 +29,7 @@ std::vector<std::pair<std::string, int>> in_order(const std::map<std::string, in
 
 using Json = nlohmann::ordered_json;
 
-// Additions to the contract, only where there is something to report.
+// Adds findings beyond the contract, if there are any.
 void add_findings(Json& out, const Rehearsal& r) {
   if (r.endless) out["endless"] = true;
   for (const RehearsedStop& stop : r.stops) {
@@ -43,7 +43,7 @@ void add_findings(Json& out, const Rehearsal& r) {
   for (const RehearsedAssumption& a : r.assumptions) out["assumptions"][a.name] = a.value;
 }
 
-// The object of the contract, with its keys in the contract's order.
+// Prints the object of the contract, with its keys in the contract's order.
 void print_json(const Rehearsal& r, const Catalog& catalog) {
   Json out;
   out["model"] = catalog.model;
@@ -74,7 +74,7 @@ void print_json(const Rehearsal& r, const Catalog& catalog) {
   print_result("{}\n", out.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
-/// Where programs run in threads, or none is stored, the whole text is one program.
+/// The object that has the size: the whole text, if programs run in threads or none is stored.
 std::string what_has_size(const ProgramFacts& facts, const std::string& slot) {
   const bool one_text = facts.threads > 0 || facts.slots <= 1;
   return one_text ? "whole text" : fmt::format("{} {}", facts.slot_word, slot);
@@ -108,7 +108,7 @@ void print_words(const Rehearsal& r, const Catalog& catalog) {
   for (const RehearsedEvent& e : r.events) print_result("{:10.3f} s  {}\n", e.t, e.what);
 }
 
-// Errors in a bench file are reported under its name, before anything runs.
+// Reads a bench file. Its errors are reported under its name, before the program runs.
 Result<std::string> read_bench(const std::string& path, const Catalog& catalog) {
   auto text = read_file(path, largest_program_text);
   if (!text) return text;
@@ -116,7 +116,7 @@ Result<std::string> read_bench(const std::string& path, const Catalog& catalog) 
   return text;
 }
 
-// The contents of a backup: neither positions nor lines.
+// Reads a backup, which contains neither positions nor lines.
 Result<std::shared_ptr<const ControllerState>> read_like(const std::string& path, const Catalog& catalog) {
   const auto backup = load_backup(path);
   if (!backup) return fail(backup.error());
@@ -138,8 +138,8 @@ Result<std::shared_ptr<const ControllerState>> read_like(const std::string& path
   return state;
 }
 
-// For a text that cannot be run: the same object, with the reason. Axes and outputs are those of the
-// controller before any action.
+// The result for a text that cannot be run, with the reason. Axes and outputs are in their state before any
+// action.
 Rehearsal nothing_rehearsed(const ProgramFile& program, const Fault& why) {
   Rehearsal r;
   RehearseOptions options;
@@ -151,7 +151,7 @@ Rehearsal nothing_rehearsed(const ProgramFile& program, const Fault& why) {
   return r;
 }
 
-/// The reason for a calling script; empty: the program works to its end.
+/// Why the exit status reports a failure; empty: the program works to its end.
 std::string why_not_good(const Rehearsal& r, bool strict) {
   if (!r.error.empty()) return r.error;
   if (!r.finished) return fmt::format("The program still runs after {:.3f} s.", r.duration_s);
@@ -206,9 +206,9 @@ const Subcommand simulate_subcommand{
     "dry run of a program, in virtual time",
     {{"FILE", "the program", 1, 1}},
     {model_option,
-     {"variant", "V", "model of the board (vme58): 8S, 4S4, 8, 4E, 2S2, 2S6, 6S2, 4S or 4"},
-     {"jumpers", "GGG", "its general lines 0-3, 4-7, 8-11 (vme58): I input, O output (default IIO)"},
-     {"json", "", "print one JSON object"},
+     variant_option,
+     jumpers_option,
+     json_option,
      {"program", "N", "the one that is started (default 0); it may start others"},
      bench_option,
      {"like", "FILE.toml", "begin with the parameters, variables and other programs of this backup"},

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/log.h"
 #include "core/device/registry.h"
 #include "core/session/transport_list.h"
 
@@ -35,8 +36,19 @@ std::string example_addresses() {
   return words;
 }
 
+std::string log_choices() {
+  std::string words;
+  const auto put_levels = [&](const std::string& subject) {
+    for (int level = 0; level <= static_cast<int>(log::Level::debug); ++level)
+      put_word(words, fmt::format("{}={}", subject, log::word_of(static_cast<log::Level>(level))));
+  };
+  for (const std::string_view family : log::families()) put_levels(std::string(family));
+  for (const DeviceType& type : device_types()) put_levels(fmt::format("driver.{}", type.model));
+  return words;
+}
+
 bool is_file(std::string_view placeholder) {
-  for (const std::string_view part : {"FILE", "OUT", "PATH", "PORT", "."})
+  for (const std::string_view part : {"FILE", "OUT", "PATH", "."})
     if (placeholder.find(part) != placeholder.npos && placeholder.find(':') == placeholder.npos) return true;
   return false;
 }
@@ -47,12 +59,14 @@ Completed completed(std::string_view placeholder) {
   Completed all;
   if (placeholder == "MODEL") all.words = all_models();
   if (placeholder == "ADDRESS") all.words = example_addresses();
+  if (placeholder == "SUBJECT=LEVEL") all.words = log_choices();
   if (placeholder == "FORM") all.words = "man bash zsh fish";
   if (placeholder.find('|') != placeholder.npos) {
     all.words = placeholder;
     std::replace(all.words.begin(), all.words.end(), '|', ' ');
   }
   all.folders = placeholder == "FOLDER";
+  all.ports = placeholder == "PORT";
   all.files = is_file(placeholder);
   if (const auto dot = placeholder.rfind('.'); all.files && dot != placeholder.npos)
     all.extension = placeholder.substr(dot + 1);

@@ -1,5 +1,5 @@
 #pragma once
-// Shell completions, from the tables of the command line.
+// Makes the shell completions from the tables of the command line.
 #include <string>
 
 namespace hw::app {

@@ -16,7 +16,7 @@
 namespace hw::app {
 namespace {
 
-// A user's script can do all of this: see assets/manual/scripts.md.
+// This script uses only calls of assets/manual/scripts.md.
 constexpr std::string_view demonstration = R"lua(
 local folder = hw.args[1]
 local function picture(name)

@@ -1,6 +1,6 @@
 #pragma once
-// `handwheel demo` without a display: emulated controllers at work, reported line by line, and pictures of
-// the console.
+// Runs `handwheel demo` without a display: emulated controllers work, each step is printed, and pictures of
+// the console are written.
 #include <string>
 
 namespace hw::app {

@@ -47,7 +47,7 @@ void DeviceSearcher::cancel() {
 
 const gui::DeviceSearchState& DeviceSearcher::state() {
   if (!wire_) return state_;
-  const bool over = wire_->over;  // read before the rings: everything pushed before the end is taken
+  const bool over = wire_->over;  // read before the rings, so that everything pushed before the end is taken
   wire_->progress.drain([this](SearchProgress& at) {
     state_.asked = at.asked;
     state_.of = at.of;

@@ -1,5 +1,5 @@
 #pragma once
-// The connection page's search over ports, rates and ids (transports/scan), on the io thread.
+// Searches ports, rates and ids for the connection page (transports/scan), on the io thread.
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -21,7 +21,7 @@ class DeviceSearcher final : public gui::DeviceFinder {
   void cancel() override;
   const gui::DeviceSearchState& state() override;
 
-  /// Between the io thread and the GUI thread.
+  /// Passes progress from the io thread to the GUI thread.
   struct Wire {
     std::atomic<bool> go_on{true};
     std::atomic<bool> over{false};

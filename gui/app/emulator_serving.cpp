@@ -25,7 +25,7 @@ struct EmulatorServing::Wire {
 
 static Result<std::shared_ptr<EmulatorHost>> host_to_serve(Scheduler& scheduler, const Address& address,
                                                            const std::shared_ptr<Session>& session) {
-  if (!session) return host_of_its_own(scheduler, address);
+  if (!session) return make_private_host(scheduler, address);
   if (auto host = EmulatorHost::of(session->bench())) return host;
   return fail(FaultKind::port, "The emulator is not connected.", "It is not served.",
               "Wait until it answers, and switch it on again.");

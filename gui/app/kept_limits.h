@@ -1,5 +1,5 @@
 #pragma once
-// The limits that the console keeps for a controller, for commands without a window.
+// Gives commands without a window the limits that the console keeps for a controller.
 #include <string>
 
 #include "core/device/snapshot.h"
@@ -10,10 +10,9 @@ namespace hw::app {
 
 class KeptLimits {
  public:
-  /// Sets the limits of the controller's profile for this session; nothing is sent. A damaged profile is
-  /// reported.
+  /// Sets the limits of the controller's profile for this session. Sends nothing. Reports a damaged profile.
   explicit KeptLimits(Session& session);
-  /// The sentence of a notice, with places in the units of the profile.
+  /// The sentence of a notice, with positions in the units of the profile.
   [[nodiscard]] std::string words_of(const Notice& notice) const;
 
  private:

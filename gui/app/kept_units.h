@@ -1,5 +1,5 @@
 #pragma once
-// The units that the console keeps for a controller's axes, for scripts.
+// Gives scripts the units that the console keeps for a controller's axes.
 #include <functional>
 #include <map>
 #include <memory>
@@ -14,7 +14,7 @@ namespace hw::app {
 /// The length unit of an axis in a profile, whether it is shown now or not.
 std::optional<script::AxisUnit> unit_of_profile(const Catalog& catalog, const Profile& profile, int axis);
 
-/// Reads the profile of a controller when a script first asks for one of its units; writes nothing.
+/// Reads the profile of a controller when a script first asks for a unit. Writes nothing.
 class KeptUnits {
  public:
   /// `complain` receives the fault of a damaged profile.
@@ -25,7 +25,7 @@ class KeptUnits {
  private:
   ProfileStore store_;
   std::function<void(const Fault&)> complain_;
-  /// By session: its port may go, or become another's, while it is open.
+  /// By session, because its port may disappear or change owner while it is open.
   std::map<std::weak_ptr<const Session>, Profile, std::owner_less<>> read_;
 };
 

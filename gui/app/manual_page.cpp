@@ -10,7 +10,7 @@
 namespace hw::app {
 namespace {
 
-/// Literal text: no dash becomes a hyphen, no line begins a request.
+/// Escapes a text, so that no dash becomes a hyphen and no line begins a request.
 std::string plain(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -110,7 +110,7 @@ std::string manual_page() {
       "do their job in\nthe terminal. Results go to standard output, everything else to standard error.\n";
   put_addresses(page);
   put_commands(page);
-  page += ".SH OPTIONS\nThese may stand with every command.\n";
+  page += ".SH OPTIONS\nThese options go with every command.\n";
   put_options(page, general_options());
   page += ".TP\n\\fB\\-\\-help\\fR\nwhat a command takes\n.TP\n\\fB\\-\\-version\\fR\nversion and commit\n";
   return page.append(ending);

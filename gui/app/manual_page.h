@@ -3,7 +3,7 @@
 
 namespace hw::app {
 
-/// handwheel(1), in the source form that man reads.
+/// The manual page handwheel(1), in the source form that man reads.
 std::string manual_page();
 
 }  // namespace hw::app

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers within the text of an option: "200,100", "0,0,300,200".
+// Reads numbers from the text of an option: "200,100", "0,0,300,200".
 #include <cstddef>
 #include <vector>
 
@@ -8,9 +8,9 @@
 
 namespace hw::app {
 
-/// `form`: what to write instead.
+/// The fault of an option that is not understood; `form` is the form to write instead.
 [[nodiscard]] tl::unexpected<Fault> wrong(const char* option, const Given& given, const char* form);
-/// At least `least` and at most `most`, with `at` between them.
+/// Reads at least `least` and at most `most` numbers, with `at` between them.
 [[nodiscard]] Result<std::vector<double>> numbers(const Given& given, const char* option, char at,
                                                   std::size_t least, std::size_t most, const char* form);
 

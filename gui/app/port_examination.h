@@ -1,5 +1,5 @@
 #pragma once
-// Examines ports for the link doctor: files of the system, read on a separate thread.
+// Examines ports for the link doctor. Reads files of the system on a thread of its own.
 #include <functional>
 #include <map>
 #include <memory>

@@ -24,31 +24,32 @@ FoundPort::State state_of(PortFinding finding) {
   return FoundPort::State::failed;
 }
 
-// The four steps between this computer and a controller, as far as the test went.
+// The four steps from this computer to a controller, as far as the test went.
 std::vector<FoundPort::Check> checks_of(const PortReport& r) {
-  using Is = FoundPort::Check::Result;
+  using CheckResult = FoundPort::Check::Result;
   const bool opened = r.finding == PortFinding::answers || r.finding == PortFinding::silent ||
                       r.finding == PortFinding::garbled;
   const bool returned = r.finding == PortFinding::answers || r.finding == PortFinding::garbled;
-  const auto link = [](Is result, std::string what, std::string found) {
+  const auto link = [](CheckResult result, std::string what, std::string found) {
     FoundPort::Check check;
     check.result = result, check.what = std::move(what), check.found = std::move(found);
     return check;
   };
-  const Is behind = opened ? Is::bad : Is::not_reached;
-  return {link(opened ? Is::good : Is::bad, "Port opens", opened ? "no other program uses it" : r.sentence()),
-          link(opened ? Is::good : Is::not_reached, "Bytes leave",
+  const CheckResult behind = opened ? CheckResult::bad : CheckResult::not_reached;
+  return {link(opened ? CheckResult::good : CheckResult::bad, "Port opens",
+               opened ? "no other program uses it" : r.sentence()),
+          link(opened ? CheckResult::good : CheckResult::not_reached, "Bytes leave",
                opened ? fmt::format("{} speeds", r.asked.size()) : ""),
-          link(returned ? Is::good : behind, "Bytes return",
+          link(returned ? CheckResult::good : behind, "Bytes return",
                returned ? "they do"
                : opened ? "none came back"
                         : ""),
-          link(r.finding == PortFinding::answers ? Is::good
-               : returned                        ? Is::bad
-                                                 : Is::not_reached,
-               "Reply makes sense",
+          link(r.finding == PortFinding::answers ? CheckResult::good
+               : returned                        ? CheckResult::bad
+                                                 : CheckResult::not_reached,
+               "Reply understood",
                r.finding == PortFinding::answers ? r.name
-               : returned                        ? "it does not"
+               : returned                        ? "not understood"
                                                  : "")};
 }
 
@@ -100,9 +101,10 @@ void PortWatch::take(PortReport& report) {
   at->checks = checks_of(report);
   at->advice.clear();
   if (report.finding == PortFinding::silent)
-    at->advice = {"Supply. Is the controller's green lamp lit?",
-                  "Cable. It must be straight through; try it with RX and TX swapped (a null-modem adapter).",
-                  "The port. Is the cable in this one? Pull it and watch which port leaves this list."};
+    at->advice = {
+        "The supply. Is the controller's green lamp lit?",
+        "The cable. It must be straight through; try it with RX and TX swapped (a null-modem adapter).",
+        "The port. Is the cable plugged into this port? Unplug it and watch which port leaves this list."};
 }
 
 const std::vector<FoundPort>& PortWatch::ports() {
@@ -134,7 +136,7 @@ void PortWatch::list() {
   list_usb();
 }
 
-// New ports are asked once, unprompted; removed ports leave the list.
+// Asks new ports once, without a request of the user; drops removed ports from the list.
 void PortWatch::list_serial() {
   const std::vector<SerialPort> there = list_serial_ports();
   std::erase_if(found_, [&](const FoundPort& p) {
@@ -154,7 +156,7 @@ void PortWatch::list_serial() {
   }
 }
 
-// A USB device is identified by its numbers: no question is needed.
+// A USB device is identified by its numbers, so it need not be asked.
 void PortWatch::list_usb() {
   std::erase_if(found_, [&](const FoundPort& p) { return !known_.contains(p.path); });
   for (const PerformaxDevice& device : list_performax()) found_.push_back(usb_port(device));

@@ -1,6 +1,6 @@
 #pragma once
-// Finds ports for the connection page: serial ports by their files, and a harmless question to each, on the
-// io thread.
+// Finds ports for the connection page, on the io thread. Lists serial ports by their files and asks each a
+// harmless question.
 #include <atomic>
 #include <map>
 #include <string>
@@ -45,7 +45,7 @@ class PortWatch final : public gui::PortFinder {
   bool watching_ = false;
   std::shared_ptr<std::atomic<bool>> usb_moved_ =
       std::make_shared<std::atomic<bool>>(false);  // set on the io thread
-  std::shared_ptr<int> page_;                      // destroyed: the watch has ended
+  std::shared_ptr<int> page_;                      // expires when the watch ends
   Instant listed_at_{};
   PortExamination examination_;
   EmulatorServing serving_;

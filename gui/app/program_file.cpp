@@ -13,33 +13,32 @@
 
 namespace hw::app {
 
-// The controller as configured by its options; an option that it does not have is not passed on.
-static Result<Catalog> catalog_for(const DeviceType& type, const Given& given) {
+Result<Catalog> catalog_for(const DeviceType& type, const Given& given) {
   DeviceOptions keys;
   for (const char* key : {"variant", "jumpers", "motors"})
     if (given.has(key)) keys[key] = given.one(key);
   auto catalog = type.make_catalog(keys);
-  if (catalog && catalog->made_from.size() < keys.size())
-    return fail(FaultKind::text, fmt::format("A {} has no --{}.", type.model, keys.begin()->first));
+  if (!catalog || catalog->made_from.size() == keys.size()) return catalog;
+  for (const auto& [key, value] : keys)
+    if (catalog->made_from.find(key) == catalog->made_from.end())
+      return fail(FaultKind::text, fmt::format("A {} has no --{}.", type.model, key));
   return catalog;
 }
 
-Result<MeantFor> read_for(const Given& given) {
+Result<TargetController> read_for(const Given& given) {
   if (!given.has("for"))
     return fail(FaultKind::text, "Nothing names the controller that the program is for.", {},
                 fmt::format("Add --for MODEL ({}).", known_models()));
   const DeviceType* type = find_device_type(given.one("for"));
-  if (!type)
-    return fail(FaultKind::text, fmt::format("There is no controller model \"{}\".", given.one("for")), {},
-                known_models_near(given.one("for")));
+  if (!type) return fail(unknown_model(given.one("for")));
   if (!type->language)
     return fail(FaultKind::port, fmt::format("Programs for the {} are not understood yet.", type->model));
   auto catalog = catalog_for(*type, given);
   if (!catalog) return fail(catalog.error());
-  return MeantFor{&type->language(), std::move(*catalog)};
+  return TargetController{&type->language(), std::move(*catalog)};
 }
 
-// A file that is no program is not wrong usage: the command was right, the job failed.
+// A file that is not a program is a failed job, not wrong usage.
 static Fault of_the_file(Fault fault) {
   fault.kind = FaultKind::port;
   return fault;

@@ -5,11 +5,11 @@
 
 namespace hw::app {
 
-// Virtual time has no time of day. It always starts in the morning, so that replays look the same.
+// Virtual time has no time of day. It always starts at nine in the morning, so that replays look the same.
 constexpr gui::DayClock virtual_day{std::chrono::hours(9)};
 
 gui::Outside ScriptStage::outside(WireOpener opener) {
-  // As with hw.open: a controller on a real port switches to real time.
+  // A controller on a real port switches to real time, as with hw.open.
   WireOpener on_screen = [this, opener = std::move(opener)](Scheduler& scheduler, Address address,
                                                             std::shared_ptr<BenchAccess> again) {
     if (!address.emulated()) runner_->go_real();
@@ -30,7 +30,7 @@ ScriptStage::ScriptStage(Scheduler& scheduler, WireOpener opener)
           surface_, [this] { runner_->run_one_frame(); }, [this] { return seconds(scheduler_.now()); },
           [this] { return runner_->over(); }) {
   console_.attach(surface_.screen().keyboard());
-  frame(scheduler_.now());  // a script may read the screen before its first wait
+  frame(scheduler_.now());  // the script may read the screen before its first wait
 }
 
 ScriptStage::~ScriptStage() = default;
@@ -62,7 +62,7 @@ Result<> ScriptStage::set_theme(const std::string& name) {
 
 std::optional<script::AxisUnit> ScriptStage::unit_of(const Session& session, int axis) const {
   for (const auto& tab : console_.tabs())
-    if (tab->session().get() == &session) return unit_of_profile(tab->catalog(), tab->profile, axis);
+    if (tab->session().get() == &session) return unit_of_profile(tab->catalog(), tab->settings.profile, axis);
   return {};
 }
 

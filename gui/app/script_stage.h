@@ -1,5 +1,5 @@
 #pragma once
-// The screen of `run --gui`: the real console with the real panels, without a display, driven by a script.
+// The screen of `run --gui`: a script drives the real console and panels without a display.
 #include "core/script/module.h"
 #include "gui/app/device_search.h"
 #include "gui/app/kept_units.h"
@@ -10,7 +10,7 @@
 
 namespace hw::app {
 
-/// The search of the connection page opens real ports, so time becomes real when it starts.
+/// Makes time real when a search starts, because the connection page then opens real ports.
 class SearchInRealTime final : public gui::DeviceFinder {
  public:
   SearchInRealTime(Scheduler& scheduler, std::function<void()> go_real)
@@ -38,13 +38,13 @@ class ScriptStage final : public script::Stage {
   void frame(Instant now) override;
   void script_over() override;
 
-  /// The window's length unit of that axis.
+  /// The length unit that the console shows for that axis.
   [[nodiscard]] std::optional<script::AxisUnit> unit_of(const Session& session, int axis) const;
-  /// From now on real time applies.
+  /// Switches from virtual to real time, for good.
   void time_is_real();
 
   gui::Automation& automation() { return automation_; }
-  /// As the user's own switch, so that the console agrees.
+  /// Sets the theme as the user's switch does, so that the console shows it as chosen.
   Result<> set_theme(const std::string& name);
 
  private:
@@ -52,10 +52,10 @@ class ScriptStage final : public script::Stage {
   Scheduler& scheduler_;
   gui::Offscreen surface_;
   SearchInRealTime devices_;
-  gui::Worker worker_;  // without a thread: the same order in every run
+  gui::Worker worker_;  // without a thread, so that every run has the same order
   gui::Console console_;
   bool console_was_dark_ = true;
-  float size_ = 1;  ///< chosen by the user, within the surface's scale
+  float size_ = 1;  ///< size chosen by the user; the surface's scale includes it
   script::Runner* runner_ = nullptr;
   gui::Automation automation_;
 };

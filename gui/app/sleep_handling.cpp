@@ -54,7 +54,7 @@ void SleepHandling::follow(gui::Console& console) {
     for (const auto& tab : console.tabs()) tab->send(intent::ReadAgain());
     if (!console.tabs().empty())
       console.toast(gui::Severity::warn,
-                    "The computer has slept. The state of each controller is read again.");
+                    "The computer was asleep. The state of each controller is read again.");
   }
   if (makes_ready_ && !jogs(console)) {
     makes_ready_ = false;

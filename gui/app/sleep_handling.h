@@ -1,5 +1,5 @@
 #pragma once
-// The console's reactions to the computer's sleep, see sleep_watch.h. GUI thread.
+// Makes the console react when the computer goes to sleep: see sleep_watch.h. GUI thread.
 #include <atomic>
 #include <functional>
 
@@ -12,7 +12,7 @@ class SleepHandling {
  public:
   /// `wake`: requests a frame; any thread.
   SleepHandling(Scheduler& scheduler, std::function<void()> wake);
-  /// Once a frame.
+  /// Call once in a frame.
   void follow(gui::Console& console);
 
  private:

@@ -64,7 +64,7 @@ class Tapped final : public Stream, private Stream::Listener {
   Stream::Listener* listener_ = nullptr;
 };
 
-/// Each cycle on a line: "r8 0FE3 02", "w16 0804 0041".
+/// Writes each bus cycle on a line: "r8 0FE3 02", "w16 0804 0041".
 class TappedWindow final : public Window, private Window::Listener {
  public:
   TappedWindow(std::unique_ptr<Window> inner, Scheduler& scheduler, std::shared_ptr<TrafficFile> file,

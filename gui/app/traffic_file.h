@@ -1,5 +1,5 @@
 #pragma once
-// Writes every byte of every wire to a text file, with its time: `run --traffic`.
+// Writes all bytes of all wires to a text file, with their times: `run --traffic`.
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -12,19 +12,19 @@ namespace hw::app {
 class TrafficFile {
  public:
   static Result<std::shared_ptr<TrafficFile>> create(const std::string& path);
-  /// Called (io thread) when writing fails.
+  /// Called when writing fails. Io thread.
   std::function<void(const Fault& why)> on_failure;
   ~TrafficFile();
   TrafficFile(const TrafficFile&) = delete;
   TrafficFile& operator=(const TrafficFile&) = delete;
 
-  /// The same opener; each wire that it opens is recorded under its own number.
+  /// Returns an opener that records each wire which `inner` opens, under a number of its own.
   static WireOpener tap(std::shared_ptr<TrafficFile> file, WireOpener inner);
 
-  /// "    1.234567 2 > X\r": seconds, number of the wire, sent or received, bytes.
+  /// Writes "    1.234567 2 > X\r": seconds, number of the wire, sent or received, bytes.
   void write(Instant at, int wire, char way, std::string_view bytes);
   void note(Instant at, int wire, std::string_view event);
-  /// Closes it: whether everything written is in the file. The callback is not called from here on.
+  /// Closes the file. A fault means that a part is missing in it. The callback is not called any more.
   Result<> finish();
 
  private:

@@ -1,7 +1,5 @@
 #include "gui/app/version.h"
 
-#include <string_view>
-
 #include <fmt/core.h>
 
 #include "gui/app/commit.h"

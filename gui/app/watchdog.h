@@ -1,6 +1,6 @@
 #pragma once
-// Runs beside a script on a separate thread: handles the signals that end the script, whatever it is doing,
-// and breaks it out of a Lua library call that does not return (a pattern that backtracks for ever).
+// Runs beside a script on a thread of its own. Handles the signals that end the script, whatever the script
+// does, and interrupts a Lua library call that does not return (a pattern that backtracks for ever).
 #include <optional>
 #include <thread>
 
@@ -16,7 +16,7 @@ class Watchdog {
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
-  /// From now on SIGINT, SIGTERM and SIGHUP interrupt the script. A second one kills the program.
+  /// Makes SIGINT, SIGTERM and SIGHUP interrupt the script. A second signal kills the program.
   void take_signals();
 
  private:

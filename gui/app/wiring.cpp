@@ -77,7 +77,7 @@ Task<Result<std::shared_ptr<Session>>> connect(Scheduler& scheduler, Address add
 void prepare_process() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // makes exceeding the file size limit a write error
-  // New files get the lowest free number. This one allows reading only: writing still fails.
+  // New files get the lowest free number. /dev/null is opened for reading only, so that writing still fails.
   for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(fd, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
 }

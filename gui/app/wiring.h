@@ -1,5 +1,5 @@
 #pragma once
-// Connects the parts of the program: the transports behind an address, the threads, the shutdown.
+// Connects the parts of the program: transports, threads and shutdown.
 #include <functional>
 #include <memory>
 #include <thread>
@@ -10,8 +10,8 @@
 
 namespace hw::app {
 
-/// Opens every transport of the program. `keeper`: carries out last wills of held jogs; null: no watchdog
-/// runs.
+/// Returns an opener for all transports of the program. `keeper` carries out the last wills of held jogs;
+/// null: no watchdog runs.
 WireOpener wire_opener(std::shared_ptr<WillKeeper> keeper = nullptr);
 
 /// Starts the watchdog of held jogs; call before starting any thread.
@@ -22,7 +22,7 @@ class IoThread {
  public:
   IoThread();
   ~IoThread() { stop(); }
-  /// Joins the thread; waiting work is dropped.
+  /// Joins the thread and drops waiting work.
   void stop();
   IoThread(const IoThread&) = delete;
   IoThread& operator=(const IoThread&) = delete;
@@ -38,8 +38,8 @@ class IoThread {
 /// Runs a headless job in wall-clock time on this thread and returns its exit status.
 int run_here(const std::function<Task<int>(Scheduler&)>& job);
 
-/// Calls `act` (io thread) when the program is asked to end: SIGINT, SIGTERM, SIGHUP. A second signal kills
-/// it.
+/// Calls `act` on the io thread when SIGINT, SIGTERM or SIGHUP asks the program to end. A second signal kills
+/// the program.
 class Interruption {
  public:
   Interruption(Scheduler& scheduler, std::function<void(int signal)> act);
@@ -48,11 +48,11 @@ class Interruption {
   asio::basic_signal_set<Executor> signals_;
 };
 
-/// Returns a connected session, or the fault; a session that cannot connect is closed.
+/// Returns a connected session. A session that cannot connect is closed, and its fault returned.
 Task<Result<std::shared_ptr<Session>>> connect(Scheduler& scheduler, Address address, WireOpener opener);
 
-/// Call once, before anything is opened: makes a pipe without a reader a write error instead of the program's
-/// end, and keeps ports from getting the number of a closed standard stream.
+/// Call once, before any file or port is opened. Writing to a pipe without a reader then fails instead of
+/// ending the program, and no port gets the number of a closed standard stream.
 void prepare_process();
 
 }  // namespace hw::app

@@ -86,7 +86,7 @@ bool Focus::take_entry(std::string_view id) {
 
 void Focus::end_frame(bool typing) {
   frames_to_entry_ = typing ? 0 : std::max(frames_to_entry_ - 1, 0);
-  if (entry_is_old_) entry_.clear();  // no field of that name was drawn: a button, say
+  if (entry_is_old_) entry_.clear();  // no field has that id; perhaps a button
   entry_is_old_ = !entry_.empty();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// The Tab order, from the registry: every enabled widget of the top layer, in drawing order. ImGui's own
-// navigation stays off (it would stop at fields only and take the arrow keys from jogging). The ring shows
-// only after Tab; a click moves the focus without it.
+// The focus follows the Tab order: every enabled widget of the top layer, in drawing order. ImGui's own
+// navigation stays off, because it stops only at fields and takes the arrow keys from jogging. The ring is
+// shown only after Tab; a click moves the focus without it.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,35 +12,36 @@
 
 namespace hw::gui {
 
-/// Whether a field being typed into keeps Tab for itself.
+/// The Tab keys that the field being typed into keeps for itself.
 enum class TabTaken : std::uint8_t { no, forward, both };
 
 class Focus {
  public:
-  /// Time of the frame, and of the key event in it.
+  /// Time of the frame and of the key event in it, in seconds.
   struct Times {
     double now_s, key_moved_at_s;
   };
-  /// Once a frame, after ImGui::NewFrame. `typing`: a field has ImGui's keyboard; `taken`: its use of Tab.
+  /// Call once in a frame, after ImGui::NewFrame. `typing`: a field has ImGui's keyboard; `taken`: the Tab
+  /// keys that it keeps.
   void begin_frame(Registry& registry, Times times, bool typing, TabTaken taken);
 
-  /// At the frame's end. `typing`: a field has the keyboard now.
+  /// Call at the end of a frame. `typing`: a field has the keyboard now.
   void end_frame(bool typing);
-  /// A field was asked to start typing and has not begun: text typed meanwhile is for the field, and an arrow
+  /// True while a field is about to get the keyboard. Text typed meanwhile is for the field, and an arrow key
   /// must not jog.
   [[nodiscard]] bool entering() const { return !entry_.empty() || frames_to_entry_ > 0; }
 
-  /// Sets the focus by a click: no ring.
+  /// Sets the focus as a click does, without the ring.
   void set(std::string_view id);
-  /// Sets the focus by code, as Tab would: with ring; a field starts typing.
+  /// Sets the focus as Tab does, with the ring; a field gets the keyboard.
   void move_to(std::string_view id);
   [[nodiscard]] std::string_view id() const { return id_; }
   [[nodiscard]] bool is(std::string_view id) const { return id_ == id && !id_.empty(); }
   [[nodiscard]] bool ring_on(std::string_view id) const { return visible_ && is(id); }
-  /// Asked by a field: whether it should start typing now; true once.
+  /// Called by a field: returns true, once, when it must take the keyboard now.
   bool take_entry(std::string_view id);
 
-  /// The effect of Enter or Space on the widget with the ring, in this frame.
+  /// Whether Enter or Space has pressed the widget with the ring in this frame.
   [[nodiscard]] bool key_started(std::string_view id) const { return started_ && ring_on(id); }
   [[nodiscard]] bool key_held(std::string_view id) const { return held_ && ring_on(id); }
   [[nodiscard]] bool key_ended(std::string_view id) const { return ended_ && is(id); }
@@ -50,8 +51,8 @@ class Focus {
   [[nodiscard]] double key_acted_at_s() const {
     return started_ ? pressed_at_s_ : ended_ ? released_at_s_ : -1;
   }
-  /// The first press of a moving widget only arms it for two seconds, so that an accidental Tab and Enter
-  /// moves nothing.
+  /// The first press of a widget that can start motion only arms it for two seconds, so that an accidental
+  /// Tab and Enter moves nothing.
   [[nodiscard]] bool armed(std::string_view id, double now_s) const {
     return is(id) && now_s < armed_until_s_;
   }

@@ -18,7 +18,7 @@ constexpr int dead_man = GLFW_GAMEPAD_BUTTON_LEFT_BUMPER;
 struct StickCommand {
   Command minus, plus;
 };
-/// By GLFW's numbers. Stick values grow downwards; up is plus, as on the jog pad of the screen.
+/// Indexed by GLFW's axis. Stick values grow downwards; up is plus, as on the jog pad of the screen.
 constexpr StickCommand stick_commands[] = {{Command::jog_left, Command::jog_right},
                                            {Command::jog_up, Command::jog_down},
                                            {Command::jog_page_down, Command::jog_page_up},
@@ -33,7 +33,7 @@ constexpr PadButton d_pad[] = {{GLFW_GAMEPAD_BUTTON_DPAD_LEFT, Command::jog_chos
                                {GLFW_GAMEPAD_BUTTON_DPAD_UP, Command::jog_chosen_plus}};
 
 constexpr PadControl controls[] = {
-    {"LB", "Held: it may jog. Let go: it stops"},
+    {"LB", "Held: sticks may jog. Released: the jog stops"},
     {"Left stick", "Across jogs axis 1, up and down axis 2"},
     {"Right stick", "Across jogs axis 3, up and down axis 4"},
     {"D-pad", "Jogs the chosen axis; a tap moves one step"},
@@ -69,8 +69,8 @@ std::string Gamepad::take_words() { return std::exchange(words_, {}); }
 
 // ---- deflection
 
-/// The command of the largest deflection. The held one stays until it is released, or another is clearly
-/// larger.
+/// The command of the largest deflection. A held command stays until its stick is released, or until another
+/// is clearly larger.
 std::optional<Command> Gamepad::of_sticks() const {
   std::optional<Command> best;
   float most = 0;
@@ -106,7 +106,7 @@ void Gamepad::stop(double at_s) {
   end(at_s, true);
 }
 
-/// Every control is at rest or nearly so; otherwise a trembling hand would begin a jog.
+/// Whether all controls are at rest or nearly so. Without the margin a trembling hand would begin a jog.
 bool Gamepad::let_go() const {
   return std::none_of(
              std::begin(d_pad), std::end(d_pad),
@@ -114,8 +114,9 @@ bool Gamepad::let_go() const {
          std::none_of(sticks_.begin(), sticks_.end(), [](float way) { return std::fabs(way) >= ends_at; });
 }
 
-/// The gamepad stays armed: a present user releases the stick, and pushes again.
-void Gamepad::stop_if_left_alone(double at_s) {
+/// Ends a hold when nothing on the gamepad has changed for too long. The gamepad stays armed: the user can
+/// release the stick and push again.
+void Gamepad::stop_if_unchanged(double at_s) {
   if (!held_ || at_s - changed_at_s_ <= same_for_s) return;
   words_ = fmt::format(
       "Let go, then push again: nothing on the gamepad had changed for {:.0f} s, so its jog was stopped.",
@@ -125,18 +126,18 @@ void Gamepad::stop_if_left_alone(double at_s) {
   end(at_s, true);
 }
 
-/// True: nothing begins.
+/// Returns true when no jog begins.
 bool Gamepad::poll_pad(double at_s) {
   if (held_ && at_s - answered_at_s_ > silent_after_s) begin_frame(at_s);
   answered_at_s_ = at_s;
   const std::optional<Command> now = pushed();
   const bool may = armed_ && buttons_[dead_man];
   if (held_ && (!may || now != held_)) end(at_s, !may);
-  stop_if_left_alone(at_s);
+  stop_if_unchanged(at_s);
   if (let_go())
     must_rest_ = false;
   else if (!may)
-    must_rest_ = true;  // or the dead-man button alone would begin it
+    must_rest_ = true;  // otherwise the dead-man button alone would begin the motion
   return !may || !now || must_rest_ || held_;
 }
 
@@ -148,7 +149,7 @@ bool Gamepad::on_arrival(const InputEvent& event) {
     case InputKind::key:
       if (event.code == GLFW_KEY_ESCAPE && event.down) rest_first();
       return false;
-    case InputKind::pad_stick:  // many a second, none of them worth a frame
+    case InputKind::pad_stick:  // too many for a frame each
       if (armed_ && event.code >= 0 && event.code < static_cast<int>(sticks_.size()))
         sticks_[static_cast<std::size_t>(event.code)] = event.x;
       changed_at_s_ = event.at_s;
@@ -163,14 +164,15 @@ bool Gamepad::on_arrival(const InputEvent& event) {
       return false;
     case InputKind::pad_polled: {
       const bool had_words = !words_.empty();
-      return poll_pad(event.at_s) && words_.empty() == !had_words;  // a frame shows why it has stopped
+      return poll_pad(event.at_s) &&
+             words_.empty() == !had_words;  // the next frame shows why the jog has stopped
     }
     case InputKind::pad_gone:
       name_.clear();
       disarm(held_ ? "Plug the gamepad in and arm it again: it is gone, and its jog was stopped."
                    : "Plug the gamepad in and arm it again: it is gone.",
              event.at_s);
-      return false;  // a frame shows it
+      return false;  // the next frame shows it
     default: return false;
   }
 }
@@ -180,7 +182,7 @@ bool Gamepad::in_turn(const InputEvent& event) {
   const std::optional<Command> now = pushed();
   if (event.kind != InputKind::pad_polled || !armed_ || !buttons_[dead_man] || !now || must_rest_ || held_)
     return true;
-  must_rest_ = keyboard_.covered();  // a dialog or a list must be answered first
+  must_rest_ = keyboard_.covered();  // a dialog or list is open
   if (must_rest_) return true;
   held_ = now;
   changed_at_s_ = event.at_s;

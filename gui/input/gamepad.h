@@ -1,9 +1,9 @@
 #pragma once
-// The gamepad as one more input device: turns its entries in the input queue into edges of jog commands, as
-// from keys, so that whatever ends a held jog ends these too. It acts while armed, and jogs while its
-// dead-man button is held: one axis, the one with the largest stick deflection. A stick is on or off, as no
-// controller changes a jog's speed as quickly as a stick moves: the speed slider sets the speed. Events that
-// end something are handled on arrival, those that begin something in turn.
+// The gamepad as an input device. Turns its entries in the input queue into jog commands, as keys do, so that
+// a jog by gamepad ends as a held key does. It acts while armed, and jogs while its dead-man button is held:
+// only the axis with the largest stick deflection. The speed slider sets the speed, because no controller
+// changes the speed of a jog as quickly as a stick moves. Events that end a motion are handled on arrival,
+// events that begin a motion in turn.
 #include <array>
 #include <optional>
 #include <span>
@@ -19,38 +19,39 @@ class Gamepad {
   /// Reports its commands through the keyboard.
   explicit Gamepad(Keyboard& keyboard) : keyboard_(keyboard) {}
 
-  /// A gamepad was plugged in, or has replaced one that is gone.
+  /// Call when a gamepad was plugged in, or has replaced another.
   void came(std::string name) { name_ = std::move(name); }
   [[nodiscard]] bool present() const { return !name_.empty(); }
   [[nodiscard]] std::string_view name() const { return name_; }
 
-  /// Starts polling, until it is disarmed. A control held already counts once it has been released.
+  /// Starts polling, until the gamepad is disarmed. A control that is held already acts only after it was
+  /// released.
   void arm(double now_s);
   void disarm(double now_s) { disarm({}, now_s); }
   [[nodiscard]] bool armed() const { return armed_; }
-  /// Returns whether it holds a jog.
+  /// Whether the gamepad holds a jog.
   [[nodiscard]] bool holds() const { return held_.has_value(); }
-  /// Something else has ended its hold: nothing begins before sticks and D-pad have been released.
+  /// Call when the hold was ended by other means. No jog begins before sticks and D-pad were released.
   void rest_first();
 
-  /// For InputQueue's listeners: true when the event is fully handled.
+  /// Listeners for InputQueue. Return true when the event needs no further handling.
   bool on_arrival(const InputEvent& event);
   bool in_turn(const InputEvent& event);
-  /// Checks for silence.
+  /// Ends the hold when the gamepad no longer answers.
   void begin_frame(double now_s);
-  /// Why it was disarmed, reported once; empty: not disarmed.
+  /// Returns, once, why the gamepad was disarmed; empty: it was not.
   [[nodiscard]] std::string take_words();
 
   static constexpr float begins_at = 0.6f, ends_at = 0.35f;  ///< of a stick's full deflection
-  static constexpr float stronger_by = 0.2f;                 ///< lead needed to switch to the other axis
-  static constexpr double silent_after_s = 0.2;              ///< no reply while it holds a jog
-  /// Longest time without any change while it holds a jog: a gamepad out of reach keeps its last state. A
-  /// stick that is held is never this still: even at the end of one direction, the other trembles.
+  static constexpr float stronger_by = 0.2f;                 ///< lead that the other axis needs to take over
+  static constexpr double silent_after_s = 0.2;  ///< a held jog ends after this time without a reply
+  /// A held jog ends after this time without any change, because a gamepad out of radio reach keeps its last
+  /// state. A held stick always changes within this time: even at its end stop it trembles across.
   static constexpr double same_for_s = 2;
 
  private:
   bool poll_pad(double at_s);
-  void stop_if_left_alone(double at_s);
+  void stop_if_unchanged(double at_s);
   void end(double at_s, bool cut_off);
   void stop(double at_s);
   void disarm(std::string_view why, double now_s);

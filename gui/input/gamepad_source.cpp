@@ -9,10 +9,10 @@
 namespace hw::gui {
 namespace {
 
-/// Global, as GLFW's callback has no user data.
+/// Global, because GLFW's callback has no user data.
 struct Plugging {
   bool news = true;
-  unsigned went = 0;  ///< bit n: number n
+  unsigned went = 0;  ///< bit n: gamepad n was unplugged
 } plugging;
 
 void on_plugging(int number, int event) {
@@ -56,7 +56,8 @@ bool GamepadSource::has_news(double now_s, const PadChanges::Push& push) {
   if (!std::exchange(plugging.news, false)) return false;
   const unsigned went = std::exchange(plugging.went, 0);
   const bool mine_went = number_ != none && (went >> number_ & 1u) != 0;
-  if (number_ != none && !mine_went) return false;  // another gamepad: the present one stays in use
+  if (number_ != none && !mine_went)
+    return false;  // another gamepad was unplugged; the present one stays in use
   if (mine_went) push(InputEvent::pad_gone(now_s));
   number_ = first_gamepad();
   return mine_went || number_ != none;

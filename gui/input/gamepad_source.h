@@ -1,7 +1,7 @@
 #pragma once
-// Turns the gamepad of this computer, as GLFW knows it, into entries of the input queue. GLFW has no gamepad
-// events, and reports its state to windows without the focus too: so it is polled 60 times a second while
-// armed, and never otherwise. Window thread only.
+// Turns the state of this computer's gamepad into entries of the input queue. GLFW has no gamepad events, so
+// the gamepad is polled, 60 times a second. It is polled only while armed, because GLFW reports its state
+// even when the window does not have the focus. Window thread only.
 #include <array>
 #include <functional>
 #include <optional>
@@ -22,7 +22,7 @@ class PadChanges {
   using Push = std::function<void(const InputEvent&)>;
   /// Makes the next poll report everything.
   void forget() { before_ = PadState(); }
-  /// None: no reply.
+  /// Pushes the changes since the previous poll. nullopt: the gamepad did not reply.
   void report(const std::optional<PadState>& now, double now_s, const Push& push);
 
  private:
@@ -31,11 +31,11 @@ class PadChanges {
 
 class GamepadSource {
  public:
-  /// After glfwInit().
+  /// Call after glfwInit().
   void watch();
-  /// Returns whether one was plugged in or removed since the last call; reports a removal to `push`.
+  /// Whether a gamepad was plugged in or removed since the last call. Reports a removal to `push`.
   [[nodiscard]] bool has_news(double now_s, const PadChanges::Push& push);
-  /// The maker's name; empty: no gamepad, or none that GLFW has a map of.
+  /// The maker's name; empty: there is no gamepad that GLFW knows.
   [[nodiscard]] std::string name() const;
   void look_if_due(double now_s, const PadChanges::Push& push);
   void rest() { changes_.forget(); }

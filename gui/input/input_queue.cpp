@@ -11,7 +11,7 @@ namespace {
 bool is_one_of(int key, int left, int right) { return key == left || key == right; }
 bool is_shift(int key) { return is_one_of(key, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT); }
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
-/// A key that only produces a text event: neither ImGui nor a shortcut uses its press or release.
+/// Whether a key only produces a text event. Neither ImGui nor a shortcut uses its press or release.
 bool only_types(int key, const Modifiers& m) {
   return (key > GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2) && !m.ctrl && !m.alt && !m.super;
 }
@@ -38,7 +38,7 @@ void Modifiers::follow(const InputEvent& event) {
   if (event.modifiers) *this = *event.modifiers;
   if (event.kind == InputKind::focus_lost) *this = {};
   if (event.kind != InputKind::key) return;
-  // The window system reports the state before the event: the key itself is applied afterwards.
+  // The window system reports the modifiers before the event, so the key itself is applied afterwards.
   if (is_one_of(event.code, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL)) ctrl = event.down;
   if (is_one_of(event.code, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT)) shift = event.down;
   if (is_one_of(event.code, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)) alt = event.down;
@@ -99,7 +99,7 @@ void InputQueue::drop_presses() {
   });
 }
 
-bool InputQueue::fits(const InputEvent& event, const Fed& fed) const {
+bool InputQueue::fits(const InputEvent& event, const FedInFrame& fed) const {
   Modifiers held = modifiers_;
   held.follow(event);
   const bool untouched = !fed.edit_key && !fed.button;
@@ -120,7 +120,7 @@ bool InputQueue::fits(const InputEvent& event, const Fed& fed) const {
   return true;
 }
 
-void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
+void InputQueue::apply(const InputEvent& event, FedInFrame& fed, ImGuiIO& io) {
   switch (event.kind) {
     case InputKind::mouse_move: io.MousePos = ImVec2(event.x, event.y); break;
     case InputKind::mouse_button:
@@ -147,7 +147,7 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
     case InputKind::focus_lost:
       for (bool& down : io.KeysDown) down = false;
       for (bool& down : io.MouseDown) down = false;
-      // Off every widget: a release must not count as a click on the pressed one.
+      // The mouse leaves all widgets, so that the release does not count as a click on the pressed widget.
       io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
       released_at_s_ = key_moved_at_s_ = event.at_s;
       fed.button = true;
@@ -160,7 +160,7 @@ void InputQueue::apply(const InputEvent& event, Fed& fed, ImGuiIO& io) {
 }
 
 bool InputQueue::feed(ImGuiIO& io, bool keys_wait) {
-  Fed fed;
+  FedInFrame fed;
   while (!waiting_.empty() && fits(waiting_.front(), fed)) {
     const InputEvent event = waiting_.front();
     if (keys_wait && (event.kind == InputKind::key || event.kind == InputKind::text)) break;

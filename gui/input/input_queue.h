@@ -1,8 +1,8 @@
 #pragma once
-// All user input, in order, between the window's callbacks (or a script) and ImGui. ImGui 1.86 reads keys and
-// buttons once per frame and so loses a tap that goes down and up in between; here each edge waits for a
-// frame of its own. Shortcuts wait their turn too: Ctrl+Enter after a digit runs the text with the digit.
-// Only input that ends something (Esc, releasing a jog, losing the keyboard) is handled on arrival.
+// Keeps all user input in order, between the window's callbacks (or a script) and ImGui. ImGui 1.86 reads
+// keys and buttons once per frame and so loses a tap between two frames; here each edge gets a frame of its
+// own. Shortcuts wait their turn too: Ctrl+Enter after a digit runs the text with the digit. Only input that
+// ends a motion (Esc, releasing a jog, losing the keyboard) is handled on arrival.
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -14,23 +14,24 @@ namespace hw::gui {
 
 enum class InputKind : std::uint8_t {
   mouse_move,    ///< x, y in pixels
-  mouse_button,  ///< code 0 left, 1 right, 2 middle; down; x, y: its place, even if the pointer has moved
+  mouse_button,  ///< code 0 left, 1 right, 2 middle; down; x, y: place of the press, even if the pointer has
+                 ///< moved
   wheel,         ///< x, y in notches
-  key,           ///< code: a GLFW key; down. Auto-repeat is no event
+  key,           ///< code: a GLFW key; down. Auto-repeat makes no event
   text,          ///< code: a Unicode code point
-  focus_lost,    ///< releases all that is held
+  focus_lost,    ///< releases all held keys and buttons
   pad_stick,     ///< code: a GLFW gamepad axis; x: its position, -1 to 1
   pad_button,    ///< code: a GLFW gamepad button; down
-  pad_polled,    ///< end of one poll of the gamepad: it is present and answers
-  pad_gone,      ///< it was unplugged
+  pad_polled,    ///< end of a poll: the gamepad has answered
+  pad_gone,      ///< the gamepad was unplugged
 };
 
 struct InputEvent;
 
-/// Keys that change the meaning of others.
+/// The modifier keys that are down.
 struct Modifiers {
   bool ctrl = false, shift = false, alt = false, super = false;
-  /// Updates them by this event.
+  /// Updates them from this event.
   void follow(const InputEvent& event);
 };
 
@@ -39,9 +40,9 @@ struct InputEvent {
   bool down = false;
   int code = 0;
   float x = 0, y = 0;
-  double at_s = 0;  ///< when it happened, on the clock of the frames
-  /// Modifiers held at the event according to the window system, including changes while another window had
-  /// the keyboard; none: as the key events before it.
+  double at_s = 0;  ///< time of the event in seconds, on the clock of the frames
+  /// Modifiers at the event according to the window system, which knows of changes while another window had
+  /// the keyboard. nullopt: take them from the earlier key events.
   std::optional<Modifiers> modifiers;
 
   [[nodiscard]] InputEvent with(Modifiers held) const;
@@ -59,36 +60,37 @@ struct InputEvent {
 
 class InputQueue {
  public:
-  /// Receives an event; true: handled, not passed to ImGui.
+  /// Receives an event. Returns true when it was handled and is not for ImGui.
   using Listener = std::function<bool(const InputEvent&)>;
-  /// `on_arrival` receives each event as it comes; `in_turn` receives the remaining ones, each after all
-  /// earlier events have had their frame.
+  /// `on_arrival` receives each event at once. `in_turn` receives the events that `on_arrival` did not
+  /// handle, each after all earlier events have had their frame.
   void set_listeners(Listener on_arrival, Listener in_turn) {
     on_arrival_ = std::move(on_arrival);
     in_turn_ = std::move(in_turn);
   }
 
-  /// Esc, the gamepad's B and the loss of the keyboard overtake: waiting presses are dropped, so that nothing
-  /// begins after a later stop. Typed text stays.
+  /// Adds an event. Esc, B on the gamepad and the loss of the keyboard drop all waiting presses, so that no
+  /// motion begins after a later stop. Typed text stays.
   void push(const InputEvent& event);
-  /// Passes one frame's events to ImGui, in order. True: more are waiting, so another frame should follow at
-  /// once. `keys_wait`: a field is about to get the keyboard; keys and text wait for it.
+  /// Passes the events of one frame to ImGui, in order. Returns true when more events wait, so that another
+  /// frame must follow at once. `keys_wait`: a field is about to get the keyboard, so keys and text wait for
+  /// it.
   bool feed(ImGuiIO& io, bool keys_wait = false);
   [[nodiscard]] bool empty() const { return waiting_.empty(); }
-  /// Position of the pointer, by the newest event.
+  /// Position of the pointer in pixels, from the newest event.
   [[nodiscard]] ImVec2 pointer() const { return pointer_; }
   /// Times of the newest press and release of the left button that ImGui has seen.
   [[nodiscard]] double pressed_at_s() const { return pressed_at_s_; }
   [[nodiscard]] double released_at_s() const { return released_at_s_; }
-  /// The same for the newest press or release of a key.
+  /// Time of the newest press or release of a key.
   [[nodiscard]] double key_moved_at_s() const { return key_moved_at_s_; }
 
  private:
-  struct Fed {  // already passed in this frame
+  struct FedInFrame {  // events passed in this frame
     bool button = false, edit_key = false, text = false;
   };
-  [[nodiscard]] bool fits(const InputEvent& event, const Fed& fed) const;
-  void apply(const InputEvent& event, Fed& fed, ImGuiIO& io);
+  [[nodiscard]] bool fits(const InputEvent& event, const FedInFrame& fed) const;
+  void apply(const InputEvent& event, FedInFrame& fed, ImGuiIO& io);
   void drop_presses();
 
   Listener on_arrival_, in_turn_;

@@ -7,7 +7,7 @@ namespace hw::gui {
 namespace {
 
 constexpr bool ctrl = true, shift = true, plain = false;
-constexpr int by_letter = -1;  // the place of `?` depends on the keyboard layout: its text event counts
+constexpr int by_letter = -1;  // the key of `?` depends on the keyboard layout, so its text event counts
 constexpr Shortcut table[] = {
     {Command::stop_all, GLFW_KEY_ESCAPE, plain, plain, Reach::always, false, "Esc",
      "Stop all controllers; again: at once"},
@@ -42,7 +42,7 @@ constexpr Shortcut table[] = {
     {Command::smaller, GLFW_KEY_MINUS, ctrl, plain, Reach::always, false, "Ctrl \u2212",
      "Everything smaller"},
     {Command::smaller, GLFW_KEY_KP_SUBTRACT, ctrl, plain, Reach::always, false, "", ""},
-    {Command::normal_size, GLFW_KEY_0, ctrl, plain, Reach::always, false, "Ctrl 0", "The usual size"},
+    {Command::normal_size, GLFW_KEY_0, ctrl, plain, Reach::always, false, "Ctrl 0", "Normal size"},
     {Command::normal_size, GLFW_KEY_KP_0, ctrl, plain, Reach::always, false, "", ""},
     {Command::show_map, by_letter, plain, plain, Reach::outside_text, false, "?", "Keys and the manual"},
     {Command::show_map, GLFW_KEY_F1, plain, plain, Reach::also_typing, false, "F1",
@@ -58,8 +58,8 @@ void Keyboard::emit(Command c, bool down, double at_s) {
   if (on_edge) on_edge(CommandEdge{c, down, at_s});
 }
 
-// With Alt or Super a key belongs to the window manager, or to a habit from other programs: Alt+Left means
-// back there, and must not move an axis here.
+// Keys with Alt or Super belong to the window manager or other programs. Alt+Left means Back there and must
+// not move an axis here.
 const Shortcut* Keyboard::match(int key) const {
   if (modifiers_.alt || modifiers_.super) return nullptr;
   for (const Shortcut& s : table)
@@ -83,7 +83,7 @@ bool Keyboard::key_down(const InputEvent& event) {
   const Shortcut* s = match(event.code);
   if (!s) return false;
   taken = true;
-  // Consumed all the same: Ctrl Enter must not confirm the dialog that covers the program.
+  // The key is consumed all the same, so that Ctrl Enter does not confirm the dialog that covers the program.
   if (covered_ && s->reach != Reach::always) return true;
   if (s->held) held_[index(s->command)] = true;
   emit(s->command, true, event.at_s);

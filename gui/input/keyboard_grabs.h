@@ -1,7 +1,7 @@
 #pragma once
-// Another program that shows a menu, switches windows or locks the screen grabs the keyboard: it is then lost
-// as with the focus, but GLFW does not report it. Detected on a separate connection to the X server; not on
-// other displays. Window thread only.
+// Detects that another program grabs the keyboard, to show a menu, switch windows or lock the screen. The
+// window then receives no keys, as without the focus, but GLFW does not report it. Uses a connection of its
+// own to the X server; does nothing on other displays. Window thread only.
 #include <vector>
 
 struct GLFWwindow;
@@ -16,9 +16,9 @@ class KeyboardGrabs {
   KeyboardGrabs& operator=(const KeyboardGrabs&) = delete;
 
   void watch(GLFWwindow* window);
-  /// Events since the last call, in order; true: the keyboard was grabbed, false: it was given back.
+  /// The events since the last call, in order. true: the keyboard was grabbed; false: it was returned.
   [[nodiscard]] std::vector<bool> take_news();
-  /// Returns whether the newest event gave the keyboard back.
+  /// Whether the keyboard was returned by the newest event.
   [[nodiscard]] bool is_given_back();
 
  private:

@@ -37,11 +37,11 @@ bool PhysicalKeys::is_any(const KeyMap& keys) {
 
 bool PhysicalKeys::is_press(int key, int code, bool repeat) {
   if (!is_known(key) || code <= 0) return !repeat;
-  if (is_down(held_over_, code)) return false;
+  if (is_down(held_before_, code)) return false;
   int& known = codes_[static_cast<std::size_t>(key)];
   if (repeat) {
-    // In fact a press, of a key whose release was taken away; but not a repeat already under way when the key
-    // came up.
+    // A repeat of a key that counts as up is a new press: the release before it was not reported. The key
+    // must still be down, because a repeat may arrive late.
     if (known != 0 || away_) return false;
     const auto keys = ask_();
     if (!keys || !is_down(*keys, code)) return false;
@@ -51,18 +51,18 @@ bool PhysicalKeys::is_press(int key, int code, bool repeat) {
 }
 
 void PhysicalKeys::release(int key, int code) {
-  set_up(held_over_, code);
+  set_up(held_before_, code);
   if (!is_known(key) || codes_[static_cast<std::size_t>(key)] == 0) return;
   codes_[static_cast<std::size_t>(key)] = 0;
-  suspects_[static_cast<std::size_t>(key)] = seen_[static_cast<std::size_t>(key)] = false;
+  unconfirmed_[static_cast<std::size_t>(key)] = seen_[static_cast<std::size_t>(key)] = false;
   --down_;
 }
 
 void PhysicalKeys::forget() {
   codes_.fill(0);
-  suspects_.fill(false);
+  unconfirmed_.fill(false);
   seen_.fill(false);
-  held_over_.fill(0);
+  held_before_.fill(0);
   down_ = 0;
   away_ = true;
 }
@@ -70,7 +70,7 @@ void PhysicalKeys::forget() {
 void PhysicalKeys::come_back() {
   forget();
   away_ = false;
-  if (const auto keys = ask_()) held_over_ = *keys;
+  if (const auto keys = ask_()) held_before_ = *keys;
 }
 
 std::vector<int> PhysicalKeys::lost() {
@@ -78,13 +78,13 @@ std::vector<int> PhysicalKeys::lost() {
   if (!any()) return keys;
   const auto map = ask_();
   if (!map) return keys;
-  for (std::size_t i = 0; i < held_over_.size(); ++i)
-    held_over_[i] = static_cast<char>(held_over_[i] & (*map)[i]);
+  for (std::size_t i = 0; i < held_before_.size(); ++i)
+    held_before_[i] = static_cast<char>(held_before_[i] & (*map)[i]);
   for (int key = 0; key < static_cast<int>(codes_.size()); ++key)
     if (const auto k = static_cast<std::size_t>(key); codes_[k] != 0) {
       const bool up = !is_down(*map, codes_[k]);
       seen_[k] = seen_[k] || !up;
-      if (!seen_[k] || !std::exchange(suspects_[k], up) || !up) continue;
+      if (!seen_[k] || !std::exchange(unconfirmed_[k], up) || !up) continue;
       keys.push_back(key);
       release(key, codes_[k]);
     }

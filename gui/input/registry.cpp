@@ -9,7 +9,7 @@ namespace {
 constexpr std::string_view kind_names[] = {"button", "hold", "toggle", "lamp", "text", "field", "editor",
                                            "choice", "list", "slider", "tab",  "row",  "meter", "link"};
 
-/// While a page grows its bytes may move: a view's pointer carries the offset until the frame ends.
+/// The bytes of a page may move while it grows, so a view's pointer holds an offset until the frame ends.
 const char* as_offset(std::size_t offset) { return reinterpret_cast<const char*>(offset); }
 
 struct Decoded {
@@ -98,7 +98,7 @@ void Registry::end_frame() {
 }
 
 const Widget* Registry::find(std::string_view id) const {
-  // Topmost last: a dialog may repeat the id of a widget on the page below.
+  // Searches from the top layer down: a dialog may repeat the id of a widget on the page below.
   for (auto w = shown_.widgets.rbegin(); w != shown_.widgets.rend(); ++w)
     if (w->id == id) return &*w;
   return nullptr;

@@ -1,6 +1,6 @@
 #pragma once
-// Every widget of the frame, by its path: the screen as known to scripts, tests, the focus order and later
-// screen readers. Filled while drawing, read after the frame. Allocates nothing once it has grown.
+// All widgets of a frame, by their ids, for scripts, tests, the focus order and, later, screen readers.
+// Filled while drawing, read after the frame. Allocates nothing once it has grown.
 #include <cstdint>
 #include <span>
 #include <string>
@@ -46,14 +46,14 @@ struct Widget {
   std::string_view reason;  ///< why it is disabled
   Kind kind = Kind::button;
   Rect rect{}, clip{};  ///< pixels; its visible part of the window
-  int layer = 0;        ///< depth of popups and dialogs; only the deepest can be used
+  int layer = 0;        ///< depth of popups and dialogs; only widgets of the deepest layer can be used
   bool enabled = true;
-  bool moving = false;        ///< can start motion
-  bool stops = false;         ///< a Stop: nothing may lie over it
-  bool card = false;          ///< the background of a card that covers other parts: no toast may cover it
-  double stands_since_s = 0;  ///< `moving`: at rest and ready since then, see standing.h
-  bool not_taken = false;     ///< `moving`: shows that a press has just come too early
-  bool hovered = false;       ///< the mouse is over it, and nothing covers it
+  bool moving = false;         ///< can start motion
+  bool stops = false;          ///< a Stop: nothing may cover it
+  bool card = false;           ///< the background of a card that covers other parts: no toast may cover it
+  double settled_since_s = 0;  ///< `moving`: at rest and ready since then, see press_guard.h
+  bool press_ignored = false;  ///< `moving`: a press came too early just now
+  bool hovered = false;        ///< the mouse is over it, and nothing covers it
   [[nodiscard]] bool usable() const {
     return kind != Kind::lamp && kind != Kind::text && kind != Kind::meter;
   }
@@ -73,14 +73,14 @@ class Registry {
   [[nodiscard]] const Widget* find(std::string_view id) const;
   [[nodiscard]] int top_layer() const { return shown_.top_layer; }
 
-  /// Areas that no tooltip may cover: a refusal, limit lamps. To be called in each frame.
+  /// Keeps tooltips off an area (a refusal, limit lamps). Call in each frame.
   void keep_clear(const Rect& rect) { drawn_.clear.push_back(rect); }
-  /// Of the last complete frame.
+  /// The areas of the last complete frame.
   [[nodiscard]] std::span<const Rect> kept_clear() const { return shown_.clear; }
 
   /// Asks the widget to scroll itself into view in the next frame that draws it.
   void scroll_to(std::string_view id) { scroll_to_ = id; }
-  /// For widgets: whether it was asked; true once.
+  /// Called by a widget: returns true, once, when it was asked to scroll.
   bool wants_scroll(std::string_view id);
 
  private:

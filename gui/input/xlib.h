@@ -1,6 +1,6 @@
 #pragma once
-// Xlib functions, present in the process once GLFW has opened an X window; else null. Xlib's headers are not
-// needed to build.
+// Finds Xlib functions in the process, where they are once GLFW has opened an X window; otherwise null. So
+// building does not need Xlib's headers.
 #include <dlfcn.h>
 
 namespace hw::gui {

@@ -61,7 +61,7 @@ std::optional<Address> address_to_follow(const Tab& tab) {
 
 TabProfiles::TabProfiles(Tab& tab) {
   const auto take = [this](const Tab& of) {
-    all_.push_back({of.bus ? option_of(goes_by(of), "id") : std::string(), of.profile});
+    all_.push_back({of.bus ? option_of(goes_by(of), "id") : std::string(), of.settings.profile});
   };
   if (tab.bus)
     for (const Tab* member : tab.bus->members) take(*member);
@@ -74,8 +74,8 @@ void TabProfiles::apply_to(Tab& tab) const {
     const auto of = std::find_if(all_.begin(), all_.end(),
                                  [&](const Of& one) { return one.id.empty() || one.id == to.id(); });
     if (of == all_.end()) return;
-    to.profile = of->profile;
-    to.profile_edited();
+    to.settings.profile = of->profile;
+    to.settings.edited();
   };
   if (!tab.bus) return give(tab);
   for (Tab* member : tab.bus->members) give(*member);

@@ -23,13 +23,20 @@ void AxisUnits::work_out(const Catalog& catalog, const Profile& profile) {
     axis.length.per_step = std::fabs(axis.length.per_step);
     axis.counted = kept_unit(catalog, AxisProfile());
   }
+  name_counting(catalog);
 }
 
 void AxisUnits::follow_counting(const Catalog& catalog, const Snapshot& now) {
+  for (std::size_t i = 0; i < units_.size(); ++i) units_[i].in_counts = now.axes[i].in_counts;
+  name_counting(catalog);
+}
+
+void AxisUnits::name_counting(const Catalog& catalog) {
   if (catalog.loop_word.empty()) return;
   for (std::size_t i = 0; i < std::min(catalog.axes.size(), units_.size()); ++i) {
-    const std::string& word = now.axes[i].in_counts ? catalog.loop_word : catalog.step_word;
-    for (DisplayUnit* unit : {&units_[i].shown, &units_[i].length, &units_[i].counted})
+    Units& axis = units_[i];
+    const std::string& word = axis.in_counts ? catalog.loop_word : catalog.step_word;
+    for (DisplayUnit* unit : {&axis.shown, &axis.length, &axis.counted})
       if (!unit->real && unit->name != word) unit->name = word;
   }
 }

@@ -13,7 +13,7 @@ class AxisUnits {
  public:
   /// After a change of the profile.
   void work_out(const Catalog& catalog, const Profile& profile);
-  /// An axis counts in other units with a closed loop than without.
+  /// Once a frame: an axis counts in other units with a closed loop than without.
   void follow_counting(const Catalog& catalog, const Snapshot& now);
 
   [[nodiscard]] const DisplayUnit& shown(AxisId axis) const { return units_[axis.index].shown; }
@@ -25,7 +25,10 @@ class AxisUnits {
  private:
   struct Units {
     DisplayUnit shown, length, counted;
+    bool in_counts = false;  ///< when last followed
   };
+  void name_counting(const Catalog& catalog);
+
   std::array<Units, max_axes> units_;
 };
 

@@ -24,13 +24,13 @@ bool mentions(std::string_view sentence, std::string_view id) {
 }
 
 std::string_view Bus::name() const {
-  const std::string& users = members.front()->profile.bus_name;
+  const std::string& users = members.front()->settings.profile.bus_name;
   return users.empty() ? default_name : users;
 }
 
 void Bus::rename(std::string name) {
-  members.front()->profile.bus_name = std::move(name);
-  members.front()->profile_edited();
+  members.front()->settings.profile.bus_name = std::move(name);
+  members.front()->settings.edited();
 }
 
 Tab& Bus::worst() const {

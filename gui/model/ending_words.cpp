@@ -10,14 +10,14 @@
 namespace hw::gui {
 namespace {
 
-std::string_view by_whom(StoppedBy who) {
-  switch (who) {
+std::string_view stopped_by_words(StoppedBy by) {
+  switch (by) {
     case StoppedBy::button: return "by the Stop button";
     case StoppedBy::key: return "by Esc";
     case StoppedBy::script: return "by the script";
     case StoppedBy::text: return "by the command that was sent";
     case StoppedBy::console: return "by the console, because its hold was interrupted or the link was lost";
-    case StoppedBy::let_go: return "when its button was let go";
+    case StoppedBy::let_go: return "when its button was released";
     case StoppedBy::unknown: break;
   }
   return "by the console";
@@ -30,21 +30,21 @@ std::string_view words_of(AxisError error) {
     case AxisError::limit: return " on a limit";
     case AxisError::alarm: return ": its driver gave an alarm";
     case AxisError::stalled: return ": it stalled";
-    case AxisError::too_far: return ": its load was farther off than allowed";
+    case AxisError::too_far: return ": its position error was larger than allowed";
     case AxisError::not_corrected: return ": its position could not be corrected";
     case AxisError::none: break;
   }
   return "";
 }
 
-std::string_view what_failed(AxisError error) {
+std::string_view failure_words(AxisError error) {
   switch (error) {
     case AxisError::limit_minus: return "hit its \u2212 limit";
     case AxisError::limit_plus: return "hit its + limit";
     case AxisError::limit: return "hit a limit";
     case AxisError::alarm: return "was stopped by an alarm of its driver";
     case AxisError::stalled: return "stalled";
-    case AxisError::too_far: return "was farther off than allowed";
+    case AxisError::too_far: return "had a larger position error than allowed";
     case AxisError::not_corrected: return "could not be corrected";
     case AxisError::none: break;
   }
@@ -56,20 +56,20 @@ std::string_view limit_of(const Ending& e) {
   return e.limit_minus ? "its \u2212" : "its +";
 }
 
-Happening::Mark mark_of(const Ending& e) {
+LoggedEvent::Mark mark_of(const Ending& e) {
   switch (e.by) {
     case EndedBy::stop:
     case EndedBy::abort:
     case EndedBy::elsewhere:
-      return e.who == StoppedBy::let_go ? Happening::Mark::reached : Happening::Mark::stopped;
-    case EndedBy::limit: return Happening::Mark::limit;
+      return e.stopped_by == StoppedBy::let_go ? LoggedEvent::Mark::reached : LoggedEvent::Mark::stopped;
+    case EndedBy::limit: return LoggedEvent::Mark::limit;
     case EndedBy::error:
     case EndedBy::lost:
-    case EndedBy::not_in_place: return Happening::Mark::error;
-    case EndedBy::nothing: return Happening::Mark::message;
+    case EndedBy::not_in_place: return LoggedEvent::Mark::error;
+    case EndedBy::nothing: return LoggedEvent::Mark::message;
     case EndedBy::target: break;
   }
-  return e.what == Ending::What::homing ? Happening::Mark::homed : Happening::Mark::reached;
+  return e.what == Ending::What::homing ? LoggedEvent::Mark::homed : LoggedEvent::Mark::reached;
 }
 
 bool is_bad(const Ending& e) {
@@ -97,20 +97,21 @@ std::string axis_words(const Ending& e, const std::string& at, const ShowPositio
       return jog ? fmt::format("jog ended{}", at) : fmt::format("reached its target{}", at);
     case EndedBy::limit: return fmt::format("{} ended on {} limit{}", what, limit_of(e), at);
     case EndedBy::stop:
-      if (e.who == StoppedBy::let_go)
-        return fmt::format("jog ended {}{}{}", by_whom(e.who), course_of(e, position), at);
-      return fmt::format("{} stopped {}{}{}", what, by_whom(e.who), course_of(e, position), at);
+      if (e.stopped_by == StoppedBy::let_go)
+        return fmt::format("jog ended {}{}{}", stopped_by_words(e.stopped_by), course_of(e, position), at);
+      return fmt::format("{} stopped {}{}{}", what, stopped_by_words(e.stopped_by), course_of(e, position),
+                         at);
     case EndedBy::abort:
-      return fmt::format("{} stopped at once, without a ramp, {}{}{}", what, by_whom(e.who),
+      return fmt::format("{} stopped at once, without a ramp, {}{}{}", what, stopped_by_words(e.stopped_by),
                          course_of(e, position), at);
     case EndedBy::elsewhere:
       return fmt::format("{} was cut short by {}{}another host or at the controller{}", what,
                          e.perhaps_limit ? "a limit switch, by " : "",
-                         e.beside_program ? "the program that runs, by " : "", at);
+                         e.beside_program ? "the running program, by " : "", at);
     case EndedBy::error: return fmt::format("{} ended with an error{}{}", what, words_of(e.error), at);
     case EndedBy::lost:
       return fmt::format("{} ended unseen: {}{}", what,
-                         e.lost_with == Doubt::none ? "it is not known how" : words_of(e.lost_with), at);
+                         e.lost_with == Doubt::none ? "the cause is not known" : words_of(e.lost_with), at);
     case EndedBy::not_in_place: break;
   }
   const Steps off(std::abs(e.off.value));
@@ -122,7 +123,7 @@ std::string axis_words(const Ending& e, const std::string& at, const ShowPositio
 std::string cause_words(const Ending& e, const Catalog& catalog) {
   std::string sentence = e.line < 0 ? "" : fmt::format(" at line {} of its stored code", e.line);
   if (e.failed_axis >= 0)
-    sentence += fmt::format(": {} {}", catalog.axes[ix(e.failed_axis)].name, what_failed(e.error));
+    sentence += fmt::format(": {} {}", catalog.axes[ix(e.failed_axis)].name, failure_words(e.error));
   return sentence;
 }
 
@@ -133,8 +134,9 @@ std::string run_words(const Ending& e, const Catalog& catalog) {
     case EndedBy::nothing:
       return e.total > 0 ? fmt::format("of {} ran to its end", e.total) : "ran to its end";
     case EndedBy::limit: return fmt::format("ended on a limit{}{}", of, cause_words(e, catalog));
-    case EndedBy::stop: return fmt::format("stopped {}{}", by_whom(e.who), of);
-    case EndedBy::abort: return fmt::format("stopped at once, without a ramp, {}{}", by_whom(e.who), of);
+    case EndedBy::stop: return fmt::format("stopped {}{}", stopped_by_words(e.stopped_by), of);
+    case EndedBy::abort:
+      return fmt::format("stopped at once, without a ramp, {}{}", stopped_by_words(e.stopped_by), of);
     case EndedBy::elsewhere:
       return fmt::format("was cut short{}{}",
                          e.what == Ending::What::program ? " by another host or at the controller" : "", of);
@@ -142,7 +144,7 @@ std::string run_words(const Ending& e, const Catalog& catalog) {
     case EndedBy::not_in_place: return fmt::format("ended, and an axis is not in place{}", of);
     case EndedBy::lost: break;
   }
-  return fmt::format("ended unseen: it is not known how{}", of);
+  return fmt::format("ended unseen: the cause is not known{}", of);
 }
 
 std::string name_of_run(const Ending& e, const Catalog& catalog) {
@@ -160,18 +162,18 @@ std::string place_words(const Ending& e, const ShowPosition& position) {
 
 }  // namespace
 
-Happening event_of(const Ending& e, const Catalog& catalog, const ShowPosition& position) {
-  Happening event;
+LoggedEvent event_of(const Ending& e, const Catalog& catalog, const ShowPosition& position) {
+  LoggedEvent event;
   event.mark = mark_of(e);
   event.bad = is_bad(e);
   event.at = e.at;
   event.took_s = seconds(e.at - e.began);
   if (e.axis < 0) {
-    event.who = name_of_run(e, catalog);
+    event.subject = name_of_run(e, catalog);
     event.words = run_words(e, catalog);
     return event;
   }
-  event.who = catalog.axes[ix(e.axis)].name;
+  event.subject = catalog.axes[ix(e.axis)].name;
   event.words = axis_words(e, place_words(e, position), position);
   return event;
 }
@@ -181,7 +183,7 @@ std::string words_beside_run(const Ending& motion, const Ending& run, const Cata
   const std::string& name = catalog.axes[ix(motion.axis)].name;
   const std::string place = place_words(motion, position);
   const bool by_a_stop = motion.by == EndedBy::stop || motion.by == EndedBy::abort;
-  if (by_a_stop && motion.by == run.by && motion.who == run.who) {
+  if (by_a_stop && motion.by == run.by && motion.stopped_by == run.stopped_by) {
     const std::string course = course_of(motion, position);
     return fmt::format("; {} {}{}", name, course.empty() ? "stopped" : course.substr(2), place);
   }

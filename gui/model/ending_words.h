@@ -11,7 +11,7 @@ namespace hw::gui {
 
 using ShowPosition = std::function<std::string(AxisId, Steps)>;
 
-Happening event_of(const Ending& ending, const Catalog& catalog, const ShowPosition& position);
+LoggedEvent event_of(const Ending& ending, const Catalog& catalog, const ShowPosition& position);
 /// Of a motion that ended with its program, list or drawing: the facts that the words for that leave out, to
 /// be appended to them.
 std::string words_beside_run(const Ending& motion, const Ending& run, const Catalog& catalog,

@@ -15,19 +15,19 @@ namespace {
 
 constexpr std::size_t most_recent = 16;
 
-bool is_as_meant(EndedBy by) { return by == EndedBy::target || by == EndedBy::nothing; }
+bool ended_as_planned(EndedBy by) { return by == EndedBy::target || by == EndedBy::nothing; }
 
 /// Both were cut short together: the motion a moment before the run, or it slowed down a moment longer.
 bool ended_with(const Ending& motion, const Ending& run) {
   constexpr Duration a_moment = std::chrono::seconds(3);
-  if (!motion.of_run || is_as_meant(motion.by) || is_as_meant(run.by)) return false;
+  if (!motion.of_run || ended_as_planned(motion.by) || ended_as_planned(run.by)) return false;
   if (motion.at < run.began || motion.began > run.at) return false;
   return std::chrono::abs(motion.at - run.at) <= a_moment;
 }
 
 }  // namespace
 
-void EventLog::add(Happening event) {
+void EventLog::add(LoggedEvent event) {
   event.number = ++last_number_;
   list_.push_back(std::move(event));
   if (list_.size() > capacity) list_.pop_front();
@@ -55,7 +55,7 @@ void EventLog::add_run(const Ending& ending, const Catalog& catalog, const ShowP
   const Recent run{ending, last_number_};
   std::erase_if(recent_, [&](const Recent& motion) {
     if (motion.ending.axis < 0 || !ended_with(motion.ending, ending)) return false;
-    std::erase_if(list_, [&](const Happening& event) { return event.number == motion.number; });
+    std::erase_if(list_, [&](const LoggedEvent& event) { return event.number == motion.number; });
     join(motion.ending, run, catalog, position);
     return true;
   });
@@ -67,17 +67,17 @@ void EventLog::keep_recent(const Ending& ending) {
   if (recent_.size() > most_recent) recent_.erase(recent_.begin());
 }
 
-Happening* EventLog::find(std::uint64_t number) {
+LoggedEvent* EventLog::find(std::uint64_t number) {
   const auto found = std::find_if(list_.rbegin(), list_.rend(),
-                                  [number](const Happening& event) { return event.number == number; });
+                                  [number](const LoggedEvent& event) { return event.number == number; });
   return found == list_.rend() ? nullptr : &*found;
 }
 
 void EventLog::join(const Ending& motion, const Recent& run, const Catalog& catalog,
                     const ShowPosition& position) {
-  Happening* event = find(run.number);
+  LoggedEvent* event = find(run.number);
   if (!event) return;
-  const Happening own = event_of(motion, catalog, position);
+  const LoggedEvent own = event_of(motion, catalog, position);
   if (own.bad && !event->bad) event->mark = own.mark, event->bad = true;
   event->words += words_beside_run(motion, run.ending, catalog, position);
   ++version_;
@@ -96,9 +96,9 @@ void EventLog::follow_link(const Snapshot& now) {
   was_there_ = there;
   if (!there) lost_at_ = now.at;
   if (now.link.state == LinkState::lost)
-    add({Happening::Mark::link, true, now.at, {}, "no answer any more: the link is lost", -1});
+    add({LoggedEvent::Mark::link, true, now.at, {}, "no reply any more: the link is lost", -1});
   else if (there && looked_)
-    add({Happening::Mark::link, false, now.at, {}, "answers again", seconds(now.at - lost_at_)});
+    add({LoggedEvent::Mark::link, false, now.at, {}, "answers again", seconds(now.at - lost_at_)});
 }
 
 /// Axes that one cause makes doubtful at once are one event.
@@ -123,23 +123,24 @@ void EventLog::follow_trust(const Snapshot& now, const Catalog& catalog) {
   for (const Loss& loss : losses) {
     const bool one = loss.axes.size() == 1;
     const std::string words = fmt::format("cannot be trusted any more: {}", words_of(loss.trust.cause));
-    add({Happening::Mark::place_lost, true, loss.trust.since, one ? std::string(loss.axes[0]) : std::string(),
+    add({LoggedEvent::Mark::place_lost, true, loss.trust.since,
+         one ? std::string(loss.axes[0]) : std::string(),
          one ? words : fmt::format("{} {}", in_words(loss.axes), words), -1});
   }
 }
 
-bool is_shown(const Happening& event, EventFilter filter) {
+bool is_shown(const LoggedEvent& event, EventFilter filter) {
   switch (filter) {
     case EventFilter::ends:
-      if (event.mark == Happening::Mark::message) return event.took_s >= 0;  // an unknown end
-      return event.mark != Happening::Mark::link;
+      if (event.mark == LoggedEvent::Mark::message) return event.took_s >= 0;  // an unknown end
+      return event.mark != LoggedEvent::Mark::link;
     case EventFilter::trouble: return event.bad;
     case EventFilter::all: break;
   }
   return true;
 }
 
-NumberText duration_of(const Happening& event) {
+NumberText duration_of(const LoggedEvent& event) {
   return event.took_s < 0 ? NumberText() : format_duration(event.took_s);
 }
 
@@ -148,8 +149,8 @@ std::string EventLog::text(EventFilter filter, const DayClock& day) const {
   for (auto event = list_.rbegin(); event != list_.rend(); ++event) {
     if (!is_shown(*event, filter)) continue;
     char time[16];
-    all += fmt::format("{}  {}{}{}", format_time_of_day(day.of(event->at), false, time), event->who,
-                       event->who.empty() ? "" : " ", event->words);
+    all += fmt::format("{}  {}{}{}", format_time_of_day(day.of(event->at), false, time), event->subject,
+                       event->subject.empty() ? "" : " ", event->words);
     if (event->took_s >= 0) all += fmt::format(" ({})", duration_of(*event).view());
     all += '\n';
   }

@@ -16,12 +16,12 @@
 
 namespace hw::gui {
 
-struct Happening {
+struct LoggedEvent {
   enum class Mark : std::uint8_t { reached, homed, stopped, limit, error, place_lost, link, message };
   Mark mark = Mark::message;
   bool bad = false;  ///< needs attention
   Instant at{};
-  std::string who;           ///< "X", "Program 2"; empty: the controller
+  std::string subject;       ///< "X", "Program 2"; empty: the controller
   std::string words;         ///< "reached its target, 85.810 mm"
   double took_s = -1;        ///< negative: it has no duration
   std::uint64_t number = 0;  ///< set by EventLog::add()
@@ -34,13 +34,13 @@ class EventLog {
  public:
   using ShowPosition = std::function<std::string(AxisId, Steps)>;
 
-  void add(Happening event);
+  void add(LoggedEvent event);
   /// How a motion, program, list or drawing ended. What ends together is one event: a program that is cut
   /// short, and the motions that were cut short with it.
   void add(const Ending& ending, const Catalog& catalog, const ShowPosition& position);
   /// Adds changes of link and trust. The first connection of a controller is no event.
   void follow(const Snapshot& now, const Catalog& catalog);
-  [[nodiscard]] const std::deque<Happening>& list() const { return list_; }
+  [[nodiscard]] const std::deque<LoggedEvent>& list() const { return list_; }
   /// Changes whenever the list does.
   [[nodiscard]] std::uint64_t version() const { return version_; }
   /// Of this controller; zero: it has not answered yet.
@@ -59,13 +59,13 @@ class EventLog {
   void follow_link(const Snapshot& now);
   void follow_trust(const Snapshot& now, const Catalog& catalog);
 
-  [[nodiscard]] Happening* find(std::uint64_t number);
+  [[nodiscard]] LoggedEvent* find(std::uint64_t number);
   void add_motion(const Ending& ending, const Catalog& catalog, const ShowPosition& position);
   void add_run(const Ending& ending, const Catalog& catalog, const ShowPosition& position);
   void join(const Ending& motion, const Recent& run, const Catalog& catalog, const ShowPosition& position);
   void keep_recent(const Ending& ending);
 
-  std::deque<Happening> list_;
+  std::deque<LoggedEvent> list_;
   std::vector<Recent> recent_;
   std::uint64_t version_ = 0, last_number_ = 0;
   bool looked_ = false, was_there_ = false;
@@ -73,8 +73,8 @@ class EventLog {
   std::array<PositionTrust, max_axes> trust_{};
 };
 
-[[nodiscard]] bool is_shown(const Happening& event, EventFilter filter);
+[[nodiscard]] bool is_shown(const LoggedEvent& event, EventFilter filter);
 /// "9.4 s"; empty: it has no duration.
-NumberText duration_of(const Happening& event);
+NumberText duration_of(const LoggedEvent& event);
 
 }  // namespace hw::gui

@@ -30,7 +30,7 @@ bool began_unseen(const Tab& tab) {
 
 bool goes_on(const Tab& tab) { return tab.now().under_way().any() || began_unseen(tab); }
 
-std::string what_goes_on(const Tab& tab, Tense tense) {
+std::string running_words(const Tab& tab, Tense tense) {
   const UnderWay now = tab.now().under_way();
   const std::string_view is = tense == Tense::past ? "was" : "is",
                          are = tense == Tense::past ? "were" : "are";
@@ -65,11 +65,12 @@ std::string no_stop_reaches(const Names& lost, bool named) {
 }
 
 std::string unwatched_sentence(std::size_t many) {
-  return many > 1 ? "Nobody would watch them." : "Nobody would watch it.";
+  return many > 1 ? "After closing, this console no longer watches them."
+                  : "After closing, this console no longer watches it.";
 }
 
-/// "01 moves. 02 was moving when the link was lost. Nobody would watch 01 ...": the last part.
-std::string what_it_means(std::size_t watched, const Names& lost) {
+/// "01 moves. 02 was moving when the link was lost. After closing, ...": the last part.
+std::string consequence_words(std::size_t watched, const Names& lost) {
   std::string sentence = watched > 0 ? unwatched_sentence(watched) : std::string();
   if (lost.empty()) return sentence;
   if (watched > 0) sentence += ' ';
@@ -77,19 +78,20 @@ std::string what_it_means(std::size_t watched, const Names& lost) {
 }
 
 std::string unwatched_alone(const Tab& tab) {
-  if (!goes_on(tab)) return "Nothing moves any more.";
+  if (!goes_on(tab)) return "Nothing is moving now.";
   if (!reached(tab)) {
-    std::string what = what_goes_on(tab, Tense::past);
+    std::string what = running_words(tab, Tense::past);
     what.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(what.front())));
     return fmt::format("{} when the link was lost. {}", what, no_stop_reaches({tab.name()}, false));
   }
   if (runs_program(tab))
-    return fmt::format("{} {} runs in the controller, and continues when this window no longer watches it.",
-                       tab.catalog().program.slot_word, tab.now().program.slot);
-  return "An axis is moving, and nobody would watch it.";
+    return fmt::format(
+        "{} {} runs in the controller. It continues after closing, and this console no longer watches it.",
+        tab.catalog().program.slot_word, tab.now().program.slot);
+  return "An axis is moving. After closing, this console no longer watches it.";
 }
 
-/// "A program runs in 02. 01 and 03 move. Nobody would watch them."
+/// "A program runs in 02. 01 and 03 move. After closing, this console no longer watches them."
 std::string unwatched_on_bus(const Bus& bus) {
   Names running, moving, lost;
   for (const Tab* member : bus.members)
@@ -108,8 +110,8 @@ std::string unwatched_on_bus(const Bus& bus) {
   if (!lost.empty())
     sentence += fmt::format("{} {} under way when the link was lost. ", in_words(lost),
                             lost.size() == 1 ? "was" : "were");
-  if (sentence.empty()) return "Nothing moves any more.";
-  return sentence + what_it_means(running.size() + moving.size(), lost);
+  if (sentence.empty()) return "Nothing is moving now.";
+  return sentence + consequence_words(running.size() + moving.size(), lost);
 }
 
 }  // namespace
@@ -125,17 +127,17 @@ std::string goes_on_unwatched(std::span<Tab* const> tabs) {
   for (const Tab* tab : tabs) {
     if (!goes_on(*tab)) continue;
     const bool now = reached(*tab);
-    const std::string what = what_goes_on(*tab, now ? Tense::present : Tense::past);
+    const std::string what = running_words(*tab, now ? Tense::present : Tense::past);
     sentence += fmt::format("{}: {}{}. ", whose(*tab, what), what, now ? "" : " when the link was lost");
     if (now)
       ++watched;
     else
       lost.push_back(tab->bus ? tab->id() : tab->name());
   }
-  return sentence.empty() ? "Nothing moves any more." : sentence + what_it_means(watched, lost);
+  return sentence.empty() ? "Nothing is moving now." : sentence + consequence_words(watched, lost);
 }
 
-void stop_what_goes_on(std::span<Tab* const> tabs) {
+void stop_running(std::span<Tab* const> tabs) {
   std::vector<Bus*> stopped;
   for (Tab* tab : tabs) {
     if (!goes_on(*tab)) continue;

@@ -19,7 +19,7 @@ class Tab;
 [[nodiscard]] bool begun_here(const Tab& tab);
 /// "Program 2 is running", "axes X and Y were moving": to follow a name; empty: nothing.
 enum class Tense { present, past };
-[[nodiscard]] std::string what_goes_on(const Tab& tab, Tense tense);
+[[nodiscard]] std::string running_words(const Tab& tab, Tense tense);
 /// The text before `what`: the controller's name, and its id on a bus unless `what` names it.
 [[nodiscard]] std::string whose(const Tab& tab, std::string_view what);
 
@@ -29,6 +29,6 @@ enum class Tense { present, past };
 [[nodiscard]] std::string goes_on_unwatched(std::span<Tab* const> tabs);
 
 /// Stops each controller that goes on.
-void stop_what_goes_on(std::span<Tab* const> tabs);
+void stop_running(std::span<Tab* const> tabs);
 
 }  // namespace hw::gui

@@ -31,7 +31,7 @@ class ListRun {
   void stopped() { loading_ = starting_ = 0; }
 
   [[nodiscard]] bool busy() const { return loading_ != 0 || starting_ != 0; }
-  /// The start that was sent, for DoubtWays.
+  /// The start that was sent, for DoubtRemedies.
   [[nodiscard]] const std::optional<intent::RunProgram>& start() const { return start_; }
   /// The outcome of a refused start, returned once.
   [[nodiscard]] std::optional<IntentOutcome> take_refusal() { return std::exchange(refusal_, std::nullopt); }

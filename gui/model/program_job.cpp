@@ -142,7 +142,8 @@ void ProgramJob::end_given_up(ProgramTexts& texts, Instant clock) {
   if (stage_ == Stage::loading) texts.loaded(slot_, text_, clock);
   if (stage_ == Stage::clearing) texts.cleared(slot_, clock);
   stage_ = Stage::idle;
-  report_ = {Severity::plain, "A stop came: the step under way was finished, and nothing follows it."};
+  report_ = {Severity::plain,
+             "A stop came: the step under way was finished, and the next steps were dropped."};
 }
 
 void ProgramJob::fetched(ProgramTexts& texts, const Catalog& catalog) {

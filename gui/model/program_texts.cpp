@@ -44,12 +44,6 @@ const ProgramReport& ProgramTexts::report(int slot) {
   return s.report;
 }
 
-bool ProgramTexts::has_headings(int slot) {
-  for (const LineReport& line : report(slot).lines)
-    if (line.command_count > 0 && line.slot >= 0 && line.slot != slot) return true;
-  return false;
-}
-
 int ProgramTexts::cost(int slot) {
   const auto& costs = report(slot).cost;
   const auto found = costs.find(slot);
@@ -247,6 +241,13 @@ ProgramNote note_of_torn(const Snapshot& now, int slot, const ProgramFacts& fact
 }
 
 }  // namespace
+
+ControllerState known_state(const ProgramTexts& texts, const Snapshot& now) {
+  ControllerState state{now, {}};
+  for (int slot = 0; slot < texts.count(); ++slot)
+    if (texts.held(slot).known) state.programs[slot] = texts.held(slot).text;
+  return state;
+}
 
 ProgramNote program_note(ProgramTexts& texts, int slot, const Snapshot& now, const ProgramFacts& facts,
                          std::string_view loaded_at) {

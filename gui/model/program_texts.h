@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/device/catalog.h"
+#include "core/device/controller_state.h"
 #include "core/device/language.h"
 #include "core/device/snapshot.h"
 #include "core/session/autosave.h"
@@ -49,8 +50,6 @@ class ProgramTexts {
   void set_text(int slot, std::string text);
   /// Analysed anew only when the text has changed.
   const ProgramReport& report(int slot);
-  /// The text has program headings of its own, so it belongs to several slots.
-  bool has_headings(int slot);
   /// Sum over the slot, in the catalog's unit.
   int cost(int slot);
 
@@ -114,6 +113,9 @@ class ProgramTexts {
   int chosen_ = 0, start_ = 0;
   std::uint64_t changes_ = 0;
 };
+
+/// The known state of the controller, including its programs as far as known.
+[[nodiscard]] ControllerState known_state(const ProgramTexts& texts, const Snapshot& now);
 
 /// The line between editor and terminal: the program that the controller runs or holds, compared with the
 /// text.

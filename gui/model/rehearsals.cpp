@@ -15,9 +15,9 @@ bool runs(const ProgramState& p) { return p.owned && p.run != RunState::idle && 
 
 // These readings fluctuate even when nothing changes.
 constexpr int analog_steps_of_range = 100;
-constexpr std::int64_t encoder_trembles = 2;
+constexpr std::int64_t encoder_jitter = 2;
 
-bool trembles(std::int64_t then, std::int64_t now, std::int64_t by) {
+bool within_jitter(std::int64_t then, std::int64_t now, std::int64_t by) {
   return std::max(then, now) - std::min(then, now) <= by;
 }
 
@@ -56,45 +56,49 @@ void take_axes(const ControllerState& of, const Catalog&, ControllerState& into)
 
 /// `then`: as given to the rehearsal. Its results are in the count of the axis at its end, which the text may
 /// change.
-Footing footing_of(const RehearsedAxis& rehearsed, const AxisState& then, const AxisState& axis, bool moves) {
-  if (!axis.position_known) return Footing::unknown;
-  if (axis.trust.doubtful()) return Footing::doubtful;
-  if (then.in_counts != axis.in_counts) return Footing::other_count;
-  if (moves) return Footing::moving;
-  return rehearsed.begin == axis.commanded().value ? Footing::here : Footing::elsewhere;
+StartMatch match_of_axis(const RehearsedAxis& rehearsed, const AxisState& then, const AxisState& axis,
+                         bool moves) {
+  if (!axis.position_known) return StartMatch::unknown;
+  if (axis.trust.doubtful()) return StartMatch::doubtful;
+  if (then.in_counts != axis.in_counts) return StartMatch::other_count;
+  if (moves) return StartMatch::moving;
+  return rehearsed.begin == axis.commanded().value ? StartMatch::here : StartMatch::elsewhere;
 }
 
 /// Both as made by begins_as(); their positions have been compared already.
-Stand other_state(int i, const AxisState& then, AxisState now) {
-  const auto is = [i](Footing footing, bool unread = false) { return Stand{footing, i, {}, {}, unread}; };
+StartDifference other_state(int i, const AxisState& then, AxisState now) {
+  const auto is = [i](StartMatch match, bool unread = false) {
+    return StartDifference{match, i, {}, {}, unread};
+  };
   now.position = then.position, now.command = then.command, now.position_known = then.position_known;
   now.trust = then.trust, now.activity = then.activity;
-  const bool same_encoder = trembles(then.encoder.value, now.encoder.value, encoder_trembles);
-  if (then.has_encoder && now.has_encoder && !same_encoder) return is(Footing::other_encoder);
+  const bool same_encoder = within_jitter(then.encoder.value, now.encoder.value, encoder_jitter);
+  if (then.has_encoder && now.has_encoder && !same_encoder) return is(StartMatch::other_encoder);
   const bool loop_lost = now.loop == Loop::unknown && then.loop != Loop::unknown;
-  if (loop_lost) return is(Footing::other_power, true);
+  if (loop_lost) return is(StartMatch::other_power, true);
   if (then.loop == Loop::unknown && now.loop == Loop::in_place) now.loop = then.loop;  // taken as closed
   now.has_encoder = then.has_encoder, now.encoder = then.encoder;
   AxisState same_switches = now;
   same_switches.limits_known = then.limits_known;
   same_switches.limit_minus = then.limit_minus, same_switches.limit_plus = then.limit_plus;
   same_switches.home = then.home;
-  if (same_switches != then) return is(Footing::other_power);
+  if (same_switches != then) return is(StartMatch::other_power);
   if (!then.limits_known || now == then) return {};
-  return is(Footing::other_switch, !now.limits_known);
+  return is(StartMatch::other_switch, !now.limits_known);
 }
 
-Stand compare_axes(const Comparison& c) {
+StartDifference compare_axes(const Comparison& c) {
   const Snapshot& began = c.from.now;
   for (const RehearsedAxis& rehearsed : c.rehearsal.axes) {
     const int i = c.catalog.find_axis(rehearsed.name);
     if (i < 0 || i >= c.now.axis_count) continue;
     const AxisState &then = began.axes[ix(i)], &axis = c.left ? then : c.now.axes[ix(i)];
-    const Footing footing = footing_of(rehearsed, then, axis, (c.left ? began : c.now).axis_moves(i));
-    const bool names_place = footing == Footing::elsewhere;
-    if (footing != Footing::here)
-      return {footing, i, Steps(rehearsed.begin), names_place ? axis.commanded() : Steps()};
-    if (const Stand other = other_state(i, then, begins_as(axis)); other != Stand()) return other;
+    const StartMatch match = match_of_axis(rehearsed, then, axis, (c.left ? began : c.now).axis_moves(i));
+    const bool names_place = match == StartMatch::elsewhere;
+    if (match != StartMatch::here)
+      return {match, i, Steps(rehearsed.begin), names_place ? axis.commanded() : Steps()};
+    if (const StartDifference other = other_state(i, then, begins_as(axis)); other != StartDifference())
+      return other;
   }
   return {};
 }
@@ -105,13 +109,14 @@ void take_params(const ControllerState& of, const Catalog&, ControllerState& int
   into.now.params = of.now.params;
 }
 /// Unknown parameters were assumed to have factory values.
-Stand compare_params(const Comparison& c) {
+StartDifference compare_params(const Comparison& c) {
   for (std::size_t i = 0; i < c.catalog.params.size(); ++i) {
     const ParamState &then = c.from.now.params[i], &is = c.now.params[i];
     const std::int64_t taken = then.known ? then.value : c.catalog.params[i].fallback;
     if (is.known && is.value != taken)
-      return {Footing::other_setup, static_cast<int>(i), Steps(taken), Steps(is.value)};
-    if (then.known && !is.known) return {Footing::other_setup, static_cast<int>(i), Steps(taken), {}, true};
+      return {StartMatch::other_setup, static_cast<int>(i), Steps(taken), Steps(is.value)};
+    if (then.known && !is.known)
+      return {StartMatch::other_setup, static_cast<int>(i), Steps(taken), {}, true};
   }
   return {};
 }
@@ -120,46 +125,47 @@ Stand compare_params(const Comparison& c) {
 struct Levels {
   std::uint32_t levels, known;
 };
-Stand compare_bits(Footing footing, Levels then, Levels now) {
+StartDifference compare_bits(StartMatch match, Levels then, Levels now) {
   const std::uint32_t other = (then.levels ^ now.levels) & then.known & now.known;
   const std::uint32_t unread = then.known & ~now.known;
   if ((other | unread) == 0) return {};
   const int which = std::countr_zero(other != 0 ? other : unread);
   const Steps began(then.levels >> which & 1u);
-  if (other == 0) return {footing, which, began, {}, true};
-  return {footing, which, began, Steps(now.levels >> which & 1u)};
+  if (other == 0) return {match, which, began, {}, true};
+  return {match, which, began, Steps(now.levels >> which & 1u)};
 }
 
 void take_outputs(const ControllerState& of, const Catalog&, ControllerState& into) {
   into.now.outputs = of.now.outputs, into.now.outputs_known = of.now.outputs_known;
 }
-Stand compare_outputs(const Comparison& c) {
+StartDifference compare_outputs(const Comparison& c) {
   const Snapshot &then = c.from.now, &now = c.now;
-  return compare_bits(Footing::other_output, {then.outputs, then.outputs_known},
+  return compare_bits(StartMatch::other_output, {then.outputs, then.outputs_known},
                       {now.outputs, now.outputs_known});
 }
 
 void take_inputs(const ControllerState& of, const Catalog&, ControllerState& into) {
   into.now.inputs = of.now.inputs, into.now.inputs_known = of.now.inputs_known;
 }
-Stand compare_inputs(const Comparison& c) {
+StartDifference compare_inputs(const Comparison& c) {
   const Snapshot &then = c.from.now, &now = c.now;
-  return compare_bits(Footing::other_input, {then.inputs, then.inputs_known}, {now.inputs, now.inputs_known});
+  return compare_bits(StartMatch::other_input, {then.inputs, then.inputs_known},
+                      {now.inputs, now.inputs_known});
 }
 
 void take_analog(const ControllerState& of, const Catalog&, ControllerState& into) {
   into.now.analog = of.now.analog, into.now.analog_known = of.now.analog_known;
 }
-Stand compare_analog(const Comparison& c) {
+StartDifference compare_analog(const Comparison& c) {
   const Snapshot &then = c.from.now, &now = c.now;
   for (std::size_t n = 0; n < c.catalog.analog.size(); ++n) {
     const AnalogInfo& info = c.catalog.analog[n];
     if ((then.analog_known >> n & 1u) == 0) continue;
     const bool known = (now.analog_known >> n & 1u) != 0;
-    if (!known) return {Footing::other_analog, static_cast<int>(n), Steps(then.analog[n]), {}, true};
+    if (!known) return {StartMatch::other_analog, static_cast<int>(n), Steps(then.analog[n]), {}, true};
     const std::int64_t still = (std::int64_t{info.maximum} - info.minimum) / analog_steps_of_range;
-    if (!trembles(then.analog[n], now.analog[n], still))
-      return {Footing::other_analog, static_cast<int>(n), Steps(then.analog[n]), Steps(now.analog[n])};
+    if (!within_jitter(then.analog[n], now.analog[n], still))
+      return {StartMatch::other_analog, static_cast<int>(n), Steps(then.analog[n]), Steps(now.analog[n])};
   }
   return {};
 }
@@ -172,17 +178,17 @@ void take_readouts(const ControllerState& of, const Catalog& catalog, Controller
   }
 }
 /// An unknown readout was assumed to be as after power-up: 0.
-Stand compare_readouts(const Comparison& c) {
+StartDifference compare_readouts(const Comparison& c) {
   for (std::size_t i = 0; i < c.catalog.readouts.size(); ++i) {
     if (!acts_on_programs(c.catalog.readouts[i])) continue;
     const bool was_known = c.from.now.readouts_known.test(i);
     const std::int64_t then = was_known ? c.from.now.readouts[i] : 0;
     if (!c.now.readouts_known.test(i)) {
-      if (was_known) return {Footing::other_readout, static_cast<int>(i), Steps(then), {}, true};
+      if (was_known) return {StartMatch::other_readout, static_cast<int>(i), Steps(then), {}, true};
       continue;
     }
     if (const std::int64_t is = c.now.readouts[i]; then != is)
-      return {Footing::other_readout, static_cast<int>(i), Steps(then), Steps(is)};
+      return {StartMatch::other_readout, static_cast<int>(i), Steps(then), Steps(is)};
   }
   return {};
 }
@@ -190,16 +196,16 @@ Stand compare_readouts(const Comparison& c) {
 void take_variables(const ControllerState& of, const Catalog&, ControllerState& into) {
   into.now.variables = of.now.variables, into.now.variables_known = of.now.variables_known;
 }
-Stand compare_variables(const Comparison& c) {
+StartDifference compare_variables(const Comparison& c) {
   const Snapshot &began = c.from.now, &now = c.now;
   if ((began.variables_known | now.variables_known).none()) return {};
   for (int n = 0; n < max_variables; ++n) {
     const bool was_known = began.variables_known.test(ix(n));
     const std::int32_t taken = was_known ? began.variables[ix(n)] : 0;
     if (was_known && !now.variables_known.test(ix(n)))
-      return {Footing::other_variable, n, Steps(taken), {}, true};
+      return {StartMatch::other_variable, n, Steps(taken), {}, true};
     if (now.variables_known.test(ix(n)) && now.variables[ix(n)] != taken)
-      return {Footing::other_variable, n, Steps(taken), Steps(now.variables[ix(n)])};
+      return {StartMatch::other_variable, n, Steps(taken), Steps(now.variables[ix(n)])};
   }
   return {};
 }
@@ -209,17 +215,17 @@ void take_programs(const ControllerState& of, const Catalog& catalog, Controller
   if (catalog.program.threads == 0) into.programs = of.programs;
 }
 /// Unread programs were assumed to be empty.
-Stand compare_programs(const Comparison& c) {
+StartDifference compare_programs(const Comparison& c) {
   if (!c.held) return {};
   for (const auto& [other, text] : c.from.programs) {
     if (c.fills.contains(other)) continue;
     const std::string* now = c.held(other);
-    if (!now || *now != text) return {Footing::other_program, other, {}, {}, now == nullptr};
+    if (!now || *now != text) return {StartMatch::other_program, other, {}, {}, now == nullptr};
   }
   for (const RehearsedAssumption& assumption : c.rehearsal.assumptions) {
     const auto slot = unread_slot(assumption);
     const std::string* now = slot ? c.held(*slot) : nullptr;
-    if (now && !now->empty()) return {Footing::other_program, *slot, {}, {}};
+    if (now && !now->empty()) return {StartMatch::other_program, *slot, {}, {}};
   }
   return {};
 }
@@ -229,12 +235,12 @@ void take_sizes(const ControllerState& of, const Catalog&, ControllerState& into
   into.now.slot_bytes_used = of.now.slot_bytes_used;
 }
 /// A program known to be empty was not read.
-Stand compare_sizes(const Comparison& c) {
+StartDifference compare_sizes(const Comparison& c) {
   if (c.catalog.program.threads != 0) return {};
   for (int slot = 0; slot < std::min(c.catalog.program.slots, max_slots); ++slot) {
     const int then = c.from.now.slot_bytes_used[ix(slot)], now = c.now.slot_bytes_used[ix(slot)];
     if (then == 0 && now != 0 && !c.fills.contains(slot))
-      return {Footing::other_program, slot, {}, {}, now < 0};
+      return {StartMatch::other_program, slot, {}, {}, now < 0};
   }
   return {};
 }
@@ -249,8 +255,9 @@ void take_queue(const ControllerState& of, const Catalog&, ControllerState& into
   into.now.working = of.now.working, into.now.feed = of.now.feed;
   into.now.queue_free = of.now.queue_free, into.now.queue_known = of.now.queue_known;
 }
-Stand compare_queue(const Comparison& c) {
-  return commands_wait(c.now, c.catalog) ? Stand{Footing::other_queue, -1, {}, {}} : Stand();
+StartDifference compare_queue(const Comparison& c) {
+  return commands_wait(c.now, c.catalog) ? StartDifference{StartMatch::other_queue, -1, {}, {}}
+                                         : StartDifference();
 }
 
 /// Every fact about the controller that a rehearsal is given, and how it is compared afterwards. A rehearsal
@@ -258,7 +265,7 @@ Stand compare_queue(const Comparison& c) {
 /// reported.
 struct Fact {
   void (*take)(const ControllerState& of, const Catalog&, ControllerState& into);
-  Stand (*compare)(const Comparison&);
+  StartDifference (*compare)(const Comparison&);
 };
 constexpr std::array<Fact, 10> facts{{
     {take_axes, compare_axes},
@@ -281,13 +288,13 @@ ControllerState sent_to_rehearsals(const ControllerState& from, const Catalog& c
 }
 
 /// A rehearsal whose run has begun can differ at most in the axes' initial state.
-Stand compare(const Comparison& c, const Rehearsals::Scene& scene, const BenchView& bench) {
+StartDifference compare(const Comparison& c, const Rehearsals::Scene& scene, const BenchView& bench) {
   const bool known = scene.switches.has_value();
   const bool same_bench = known == bench.present && (!known || *scene.switches == bench.switches);
   for (const Fact& fact : facts) {
-    if (const Stand stand = fact.compare(c); stand != Stand()) return stand;
+    if (const StartDifference start = fact.compare(c); start != StartDifference()) return start;
     if (c.left) return {};
-    if (!same_bench) return {Footing::other_bench, -1, {}, {}};
+    if (!same_bench) return {StartMatch::other_bench, -1, {}, {}};
   }
   return {};
 }
@@ -345,9 +352,9 @@ void Rehearsals::follow(const Snapshot& now, const BenchView& bench, const Catal
     const bool first = !std::exchange(outcome.compared, true);
     if (!outcome.result || (left && !first)) continue;
     const Comparison made{*outcome.result, *outcome.scene.state, now, catalog, outcome.fills, held, left};
-    const Stand stand = compare(made, outcome.scene, bench);
-    if (stand == outcome.stand) continue;
-    outcome.stand = stand;
+    const StartDifference start = compare(made, outcome.scene, bench);
+    if (start == outcome.start) continue;
+    outcome.start = start;
     ++version_;
   }
 }

@@ -19,7 +19,7 @@ namespace hw::gui {
 
 /// How a rehearsal's initial state compares with the present controller. Unless it is `here`, the rehearsal's
 /// statements about limits do not hold.
-enum class Footing : std::uint8_t {
+enum class StartMatch : std::uint8_t {
   here,
   elsewhere,
   moving,          ///< elsewhere, and moving
@@ -39,15 +39,16 @@ enum class Footing : std::uint8_t {
   other_program,   ///< another program in the controller has changed
   other_queue      ///< commands wait in the controller's queues now
 };
-struct Stand {
-  Footing footing = Footing::here;
+struct StartDifference {
+  StartMatch match = StartMatch::here;
   int which = -1;       ///< the first that differs: axis, parameter, output, input or readout in the catalog,
                         ///< variable, slot
   Steps began, stands;  ///< positions, or other values as they are counted
   bool unread = false;  ///< it may have changed: it was known then, and is not known now
-  bool operator==(const Stand&) const = default;
+  bool operator==(const StartDifference&) const = default;
 };
 
+inline constexpr std::string_view no_rehearsal = "This model has no rehearsal.";
 /// Why no rehearsal may begin now: it would begin with empty queues, since no controller lists what waits in
 /// its own. Empty: it may.
 [[nodiscard]] std::string_view why_not_rehearse_now(const Snapshot& now, const Catalog& catalog);
@@ -66,8 +67,8 @@ class Rehearsals {
     Scene scene;
     std::set<int> fills = {};  ///< the slots that its text fills
     int number = 0;            ///< Rehearsals::version() of its arrival; unique
-    Stand stand = {};
-    bool compared = false;  ///< `stand` is known
+    StartDifference start = {};
+    bool compared = false;  ///< `start` is known
   };
 
   /// Starts a dry run from the present state of the controller and the switches of the bench, as far as
@@ -86,7 +87,7 @@ class Rehearsals {
   using Held = std::function<const std::string*(int slot)>;
   /// Once a frame: compares the controller with their initial states. A running program has left its own.
   void follow(const Snapshot& now, const BenchView& bench, const Catalog& catalog, const Held& held = {});
-  /// Changes with each result and each Stand.
+  /// Changes with each result, and when a result's `start` changes.
   [[nodiscard]] int version() const { return version_; }
 
  private:

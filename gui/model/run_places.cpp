@@ -16,9 +16,9 @@ namespace hw::gui {
 static constexpr std::string_view not_started = "The program was not started.";  // loaded or not
 
 std::vector<AxisTarget> places_of_held(Desk& desk, int slot, const Catalog& catalog, const Snapshot& now) {
-  if (slot < 0 || slot >= desk.texts.count() || !desk.texts.held(slot).known) return {};
-  const WrittenSequence* source =
-      desk.source.of(desk.texts.held(slot).text, desk.blocks, desk.language(), catalog);
+  if (slot < 0 || slot >= desk.programs.texts.count() || !desk.programs.texts.held(slot).known) return {};
+  const WrittenSequence* source = desk.programs.source.of(desk.programs.texts.held(slot).text, desk.blocks,
+                                                          desk.programs.language(), catalog);
   return source ? places_of_run(*source->sequence, catalog, now) : std::vector<AxisTarget>();
 }
 
@@ -27,7 +27,7 @@ std::string why_not_run_there(const Tab& tab, const sequence::Sequence& sequence
   const intent::RunProgram run(0, places_of_run(sequence, catalog, tab.now()));
   if (const auto past = past_travel(catalog, tab.now(), run))
     return describe_past(catalog, *past, [&tab](AxisId axis, Steps place) {
-      return std::string(format_with_unit(place, tab.unit(axis)).view());
+      return std::string(format_with_unit(place, tab.settings.unit(axis)).view());
     });
   const std::uint32_t doubtful = doubtful_axes(catalog, tab.now(), run);
   if (doubtful == 0) return {};
@@ -40,7 +40,8 @@ std::string why_not_run_there(const Tab& tab, const sequence::Sequence& sequence
 
 std::string why_not_run_there(Tab& tab, const std::string& text) {
   Desk& desk = tab.desk();
-  const WrittenSequence* source = desk.source.of(text, desk.blocks, desk.language(), tab.catalog());
+  const WrittenSequence* source =
+      desk.programs.source.of(text, desk.blocks, desk.programs.language(), tab.catalog());
   return source ? why_not_run_there(tab, *source->sequence) : std::string();
 }
 
@@ -76,7 +77,7 @@ std::string why_doubted_meanwhile(const Tab& tab, const sequence::Sequence& sequ
 }
 
 std::optional<sequence::Sequence> read_sequence(Tab& tab, const std::string& text) {
-  const Language* language = tab.desk().language();
+  const Language* language = tab.desk().programs.language();
   if (!language) return std::nullopt;
   sequence::Sequence frame;
   for (const AxisInfo& axis : tab.catalog().axes) frame.axes.push_back({axis.name, 1});
@@ -86,12 +87,10 @@ std::optional<sequence::Sequence> read_sequence(Tab& tab, const std::string& tex
 }
 
 std::string_view why_no_pieces(Tab& tab) {
-  if (!tab.now().link.connected())
-    return "There is no link. Run is available again when the controller answers.";
-  if (tab.desk().job.busy()) return "A program is being transferred.";
+  if (!tab.now().link.connected()) return no_link_to_run;
+  if (tab.desk().programs.job.busy()) return program_in_transfer;
   const ProgramState& p = tab.now().program;
-  if (p.owned && p.run != RunState::idle && p.run != RunState::error)
-    return "A program is running. Run is available again when it ends or is stopped.";
+  if (p.owned && p.run != RunState::idle && p.run != RunState::error) return another_runs;
   return tab.why_not_move();
 }
 

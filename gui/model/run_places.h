@@ -42,6 +42,13 @@ std::string why_doubted_meanwhile(const Tab& tab, const sequence::Sequence& sequ
 /// read.
 std::optional<sequence::Sequence> read_sequence(Tab& tab, const std::string& text);
 
+// Why no run can begin now: the same words in every panel.
+inline constexpr std::string_view no_link_to_run =
+    "There is no link. Run is available again when the controller answers.";
+inline constexpr std::string_view program_in_transfer = "A program is being transferred.";
+inline constexpr std::string_view another_runs =
+    "A program is running. Run is available again when it ends or is stopped.";
+
 /// Why nothing can be begun in pieces now; empty: it can.
 std::string_view why_no_pieces(Tab& tab);
 

@@ -20,8 +20,8 @@ bool SetupEdits::set(std::size_t i, std::int64_t value, std::string* why) {
   const ParamInfo& p = catalog_.params[i];
   if (!p.accepts(value)) {
     if (why)
-      *why =
-          fmt::format("{} takes {}. {} was not taken.", p.mnemonic, range_in_words(p), value_text(p, value));
+      *why = fmt::format("{} takes {}. {} was not accepted.", p.mnemonic, range_in_words(p),
+                         value_text(p, value));
     return false;
   }
   edits_[i] = value;
@@ -112,7 +112,7 @@ void SetupWrite::send_next(const Catalog& catalog, const Send& send) {
   waiting_for_ = send(intent::SetParam(catalog.params[i].mnemonic, value, confirmed_));
 }
 
-std::string SetupWrite::what_store_keeps(const Catalog& catalog) const {
+std::string SetupWrite::store_words(const Catalog& catalog) const {
   const auto kept = static_cast<std::size_t>(std::count_if(
       values_.begin(), values_.end(), [&](const auto& value) { return catalog.params[value.first].stored; }));
   const bool one = values_.size() == 1;
@@ -139,15 +139,15 @@ void SetupWrite::update(const Snapshot& now, const Catalog& catalog, const Send&
   if (outcome->state != IntentState::done) {
     const ParamInfo& p = catalog.params[values_[next_].first];
     if (outcome->asks)  // a dialog asks, and sends it
-      return ended(false, fmt::format("{} must be answered first. {} of {} values were written.", p.mnemonic,
-                                      next_, values_.size()));
+      return ended(false, fmt::format("Answer the question about {} first. {} of {} values were written.",
+                                      p.mnemonic, next_, values_.size()));
     return ended(false, fmt::format("{}: {} {} of {} values were written.", p.mnemonic,
                                     outcome->sentence.view(), next_, values_.size()));
   }
   ++next_;
   if (busy()) return send_next(catalog, send);
   ended(true, fmt::format("{} value{} written and read back. In force now; {}", values_.size(),
-                          values_.size() == 1 ? "" : "s", what_store_keeps(catalog)));
+                          values_.size() == 1 ? "" : "s", store_words(catalog)));
 }
 
 std::string value_text(const ParamInfo& p, std::int64_t value) {

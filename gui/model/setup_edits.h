@@ -67,7 +67,7 @@ class SetupWrite {
 
  private:
   void send_next(const Catalog& catalog, const Send& send);
-  [[nodiscard]] std::string what_store_keeps(const Catalog& catalog) const;
+  [[nodiscard]] std::string store_words(const Catalog& catalog) const;
   std::vector<std::pair<std::size_t, std::int64_t>> values_;
   std::size_t next_ = 0;
   IntentId waiting_for_ = 0;

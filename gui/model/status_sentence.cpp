@@ -64,10 +64,10 @@ Sentence describe_program(const StatusFacts& f);
 Sentence describe_pieces(const StatusFacts& f);
 
 /// Adds the motion beside a fault.
-StatusSentence with_what_goes_on(const StatusFacts& f, StatusSentence sentence) {
+StatusSentence with_motion_words(const StatusFacts& f, StatusSentence sentence) {
   for (const auto part : {describe_motion, describe_program, describe_pieces})
     if (const Sentence goes_on = part(f)) {
-      add_what_goes_on(sentence, goes_on->text);
+      add_running_words(sentence, goes_on->text);
       break;
     }
   return sentence;
@@ -75,11 +75,11 @@ StatusSentence with_what_goes_on(const StatusFacts& f, StatusSentence sentence) 
 
 Sentence describe_error(const StatusFacts& f) {
   if (f.now.program.run == RunState::error && !f.now.notice.empty())
-    return with_what_goes_on(f, compose(Severity::fault, f.now.notice));
+    return with_motion_words(f, compose(Severity::fault, f.now.notice));
   for (int i = 0; i < f.now.axis_count; ++i) {
     if (f.now.axes[i].activity != Activity::error && !f.now.axes[i].alarm) continue;
     if (f.now.axes[i].activity != Activity::error)
-      return with_what_goes_on(
+      return with_motion_words(
           f, with_failed(f, compose(Severity::fault,
                                     fmt::format("The alarm input of {} is active, so it takes no move. "
                                                 "Look at its motor driver.",
@@ -89,10 +89,10 @@ Sentence describe_error(const StatusFacts& f) {
                 f.now.notice.empty()
                     ? fmt::format("{} is in error. Stop it, and look at the terminal.", name_of(f.catalog, i))
                     : std::string(f.now.notice.view()));
-    return with_what_goes_on(f, with_failed(f, error));
+    return with_motion_words(f, with_failed(f, error));
   }
   if (f.now.program.run == RunState::error)
-    return with_what_goes_on(f, compose(Severity::fault, "The program ended with an error."));
+    return with_motion_words(f, compose(Severity::fault, "The program ended with an error."));
   return {};
 }
 
@@ -106,10 +106,10 @@ Sentence describe_notice(const StatusFacts& f) {
 Sentence describe_late(const StatusFacts& f) {
   if (f.now.link.state != LinkState::late) return {};
   const std::uint32_t misses = f.now.link.misses_in_a_row;
-  std::string text = misses == 0 ? fmt::format("{} is not understood.", f.catalog.short_name)
-                                 : fmt::format("{} answers late: {} missed.", f.catalog.short_name,
-                                               misses == 1 ? std::string("one question")
-                                                           : fmt::format("{} questions", misses));
+  std::string text =
+      misses == 0 ? fmt::format("{} is not understood.", f.catalog.short_name)
+                  : fmt::format("{} answers late: {} missed.", f.catalog.short_name,
+                                misses == 1 ? std::string("one query") : fmt::format("{} queries", misses));
   if (!f.now.link.sentence.empty()) text += fmt::format(" {}", f.now.link.sentence.view());
   if (f.failed.empty()) return compose(Severity::warn, text);
   return compose(Severity::fault, fmt::format("{} {}", text, f.failed));
@@ -138,8 +138,8 @@ std::string describe_place(const RunPlace& run) {
 }
 
 /// "Program 0 is"
-std::string describe_who(const StatusFacts& f) {
-  if (!f.run.who.empty()) return f.run.who;
+std::string describe_subject(const StatusFacts& f) {
+  if (!f.run.subject.empty()) return f.run.subject;
   return fmt::format("{} {} is", f.catalog.program.slot_word, f.now.program.slot);
 }
 
@@ -164,7 +164,7 @@ Sentence describe_motion(const StatusFacts& f) {
   const bool whole_program = f.now.program.owned && f.now.program.run == RunState::running;
   const std::string several = f.held ? std::string() : describe_several(f);
   if (!several.empty() && whole_program)
-    return compose(Severity::motion, fmt::format("{} running{} {}. {}", describe_who(f),
+    return compose(Severity::motion, fmt::format("{} running{} {}. {}", describe_subject(f),
                                                  describe_place(f.run), several, way_out));
   if (!several.empty()) return compose(Severity::motion, fmt::format("{}. {}", several, way_out));
   for (int i = 0; i < f.now.axis_count; ++i) {
@@ -172,9 +172,10 @@ Sentence describe_motion(const StatusFacts& f) {
     if (!moves(a)) continue;
     const std::string name = name_of(f.catalog, i);
     if (whole_program)
-      return compose(Severity::motion,
-                     fmt::format("{} running{} {} moves{}. {}", describe_who(f), describe_place(f.run), name,
-                                 a.has_target ? " to " + f.show_position(axis(i), a.target) : "", way_out));
+      return compose(
+          Severity::motion,
+          fmt::format("{} running{} {} moves{}. {}", describe_subject(f), describe_place(f.run), name,
+                      a.has_target ? " to " + f.show_position(axis(i), a.target) : "", way_out));
     if (a.activity == Activity::stopping)
       return compose(Severity::motion, fmt::format("{} is stopping.", name));
     if (a.activity == Activity::homing)
@@ -182,7 +183,7 @@ Sentence describe_motion(const StatusFacts& f) {
                                                    sign_word(a.direction > 0), way_out));
     if (f.held && f.held->axis == axis(i)) {
       const std::string at = a.speed.value > 0 ? " at " + f.show_speed(axis(i), a.speed) : std::string();
-      return compose(Severity::motion, fmt::format("You hold {}{}. {} moves{} until you let go. {}",
+      return compose(Severity::motion, fmt::format("You hold {}{}. {} moves{} until you release it. {}",
                                                    f.catalog.axes[static_cast<std::size_t>(i)].name,
                                                    sign_word(f.held->sign == Sign::plus), name, at, way_out));
     }
@@ -206,7 +207,7 @@ Sentence describe_program(const StatusFacts& f) {
   const std::string what = fmt::format("{} {}", f.catalog.program.slot_word, p.slot);
   if (p.run == RunState::running)
     return compose(Severity::motion,
-                   describe_who(f) + " running" + describe_place(f.run) + " Esc stops everything.");
+                   describe_subject(f) + " running" + describe_place(f.run) + " Esc stops everything.");
   if (p.run == RunState::waiting)
     return compose(Severity::motion,
                    what + " waits" + describe_line(f.run, " in ") +
@@ -215,7 +216,7 @@ Sentence describe_program(const StatusFacts& f) {
     return compose(Severity::warn,
                    what + " is held before " +
                        (f.run.line >= 0 ? describe_line(f.run, "") : std::string("its next command")) +
-                       ". Step, go on, or stop it.");
+                       ". Step, resume or stop it.");
   return {};
 }
 
@@ -224,7 +225,7 @@ Sentence describe_pieces(const StatusFacts& f) {
   if (!p.running) return {};
   if (p.held)
     return compose(Severity::warn,
-                   fmt::format("Held at piece {} of {}. Go on, or stop it.", p.done + 1, p.total));
+                   fmt::format("Held at piece {} of {}. Resume or stop it.", p.done + 1, p.total));
   return compose(Severity::motion,
                  fmt::format("Piece {} of {} is under way. Esc stops everything.", p.done + 1, p.total));
 }
@@ -232,7 +233,7 @@ Sentence describe_pieces(const StatusFacts& f) {
 /// One of several programs is in error, even if others run.
 Sentence describe_failed(const StatusFacts& f) {
   if (f.failed.empty()) return {};
-  const StatusSentence in_error = with_what_goes_on(f, compose(Severity::fault, f.failed));
+  const StatusSentence in_error = with_motion_words(f, compose(Severity::fault, f.failed));
   if (in_error.goes_on > 0) return in_error;
   return compose(Severity::fault, f.failed + " Run starts it again, Stop clears the error.");
 }
@@ -257,8 +258,8 @@ Sentence describe_position(const StatusFacts& f) {
 Sentence describe_slip(const StatusFacts& f) {
   for (int i = 0; i < f.now.axis_count; ++i)
     if (f.now.axes[i].slipped)
-      return compose(Severity::warn, fmt::format("{} has slipped: its encoder was farther off than allowed. "
-                                                 "Find what blocked it, then clear its flag.",
+      return compose(Severity::warn, fmt::format("{} has slipped: its position error was larger than "
+                                                 "allowed. Find out what blocked it, then clear its flag.",
                                                  name_of(f.catalog, i)));
   return {};
 }
@@ -306,7 +307,7 @@ Sentence describe_limit(const StatusFacts& f) {
           Severity::warn,
           fmt::format("Both limits of {} are active, so it cannot move. Check its switches and their cable.",
                       plain_name(f.catalog, i)));
-    return compose(Severity::warn, fmt::format("{} stands on its {} limit. It can only move {}.", name,
+    return compose(Severity::warn, fmt::format("{} is on its {} limit. It can only move {}.", name,
                                                sign_word(a.limit_plus), sign_word(a.limit_minus)));
   }
   return {};
@@ -350,7 +351,7 @@ int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId want
   return -1;
 }
 
-void add_what_goes_on(StatusSentence& sentence, std::string_view words) {
+void add_running_words(StatusSentence& sentence, std::string_view words) {
   sentence.text = fmt::format("{} {}", sentence.text.view(), words);
   sentence.goes_on += words.size() + (sentence.goes_on > 0 ? 1 : 0);
 }
@@ -359,14 +360,16 @@ void add_what_goes_on(StatusSentence& sentence, std::string_view words) {
 StatusSentence status_sentence(const StatusFacts& facts) {
   for (const auto fault : {describe_link, describe_error})
     if (Sentence sentence = fault(facts)) return std::move(*sentence);
-  if (Sentence late = describe_late(facts)) return with_what_goes_on(facts, std::move(*late));
+  if (Sentence late = describe_late(facts)) return with_motion_words(facts, std::move(*late));
   if (Sentence failed = describe_failed(facts)) return std::move(*failed);
   for (const auto warning : {describe_notice, describe_unset, describe_position, describe_slip,
                              describe_servo, describe_limit, describe_stale})
-    if (Sentence sentence = warning(facts)) return with_what_goes_on(facts, std::move(*sentence));
+    if (Sentence sentence = warning(facts)) return with_motion_words(facts, std::move(*sentence));
   for (const auto part : {describe_motion, describe_program, describe_pieces, describe_power})
     if (Sentence sentence = part(facts)) return std::move(*sentence);
-  return compose(Severity::plain, "Idle. Hold a jog button, type where to go, or run a program.");
+  return compose(Severity::plain, facts.catalog.program.slots > 0
+                                      ? "Idle. Hold a jog button, type where to go, or run a program."
+                                      : "Idle. Hold a jog button or type where to go.");
 }
 
 }  // namespace hw::gui

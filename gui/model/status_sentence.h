@@ -24,7 +24,7 @@ struct StatusSentence {
 
 /// The place of a running program, as the editor shows it.
 struct RunPlace {
-  std::string who;           ///< "Programs 0 and 2 are"; empty: the program that the snapshot names
+  std::string subject;       ///< "Programs 0 and 2 are"; empty: the program that the snapshot names
   int line = -1;             ///< of the text, from 0; -1: not known
   int stored_line = -1;      ///< of the stored code, where only that is known
   int pass = 0, passes = 0;  ///< 0: not known
@@ -49,7 +49,7 @@ struct StatusFacts {
 StatusSentence status_sentence(const StatusFacts& facts);
 
 /// Adds a sentence on what else goes on.
-void add_what_goes_on(StatusSentence& sentence, std::string_view words);
+void add_running_words(StatusSentence& sentence, std::string_view words);
 
 /// The index of a parameter that must be chosen before an axis may move and is not; -1: none.
 int unset_before_moving(const Catalog& catalog, const Snapshot& now, AxisId axis);

@@ -33,9 +33,9 @@ std::vector<std::string_view> names(std::span<const std::unique_ptr<Tab>> tabs, 
   return all;
 }
 
-std::string stopped(std::span<const std::string_view> who, std::string_view doing) {
-  if (who.empty()) return {};
-  return fmt::format(" It also stopped {}, which {} {}.", in_words(who), who.size() == 1 ? "was" : "were",
+std::string stopped(std::span<const std::string_view> names, std::string_view doing) {
+  if (names.empty()) return {};
+  return fmt::format(" It also stopped {}, which {} {}.", in_words(names), names.size() == 1 ? "was" : "were",
                      doing);
 }
 
@@ -46,11 +46,11 @@ std::string words_of_esc(std::span<const std::unique_ptr<Tab>> tabs) {
   const auto running =
       names(tabs, [](const Tab& t) { return is_reached(t) && !t.now().any_axis_moving() && runs(t.now()); });
   const auto lost = names(tabs, [](const Tab& t) { return t.now().link.state == LinkState::lost; });
-  std::string words = "Esc closed what was open.";
+  std::string words = "Esc closed the open list or dialog.";
   words += stopped(moving, "moving");
   words += stopped(running, "running");
-  if (moving.empty() && running.empty()) words += " Its stop found nothing moving or running.";
-  if (!lost.empty()) words += fmt::format(" It does not reach {}.", in_words(lost));
+  if (moving.empty() && running.empty()) words += " Nothing was moving or running.";
+  if (!lost.empty()) words += fmt::format(" Stop does not reach {}.", in_words(lost));
   return words;
 }
 

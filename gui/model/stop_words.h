@@ -9,7 +9,8 @@ namespace hw::gui {
 
 class Tab;
 
-/// "Esc closed what was open. It also stopped table, which was moving." Uses the state known in this frame.
+/// "Esc closed the open list or dialog. It also stopped table, which was moving." Uses the state known in
+/// this frame.
 std::string words_of_esc(std::span<const std::unique_ptr<Tab>> tabs);
 
 }  // namespace hw::gui

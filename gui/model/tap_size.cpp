@@ -13,7 +13,7 @@ constexpr std::string_view between_names = ", ";
 template <class Act>
 void for_each_length_unit(const Tab& tab, Act act) {
   const auto of = [&](const Tab& one) {
-    for (std::uint8_t i = 0; i < one.catalog().axes.size(); ++i) act(one.units().length(AxisId{i}));
+    for (std::uint8_t i = 0; i < one.catalog().axes.size(); ++i) act(one.settings.units().length(AxisId{i}));
   };
   if (!tab.bus) return of(tab);
   for (const Tab* member : tab.bus->members) of(*member);
@@ -49,11 +49,11 @@ const DisplayUnit* unit_of_taps(const Tab& tab) {
 }
 
 Steps tap_of(const Tab& tab, AxisId axis) {
-  const Steps chosen = tab.jog_step();
+  const Steps chosen = tab.settings.profile.jog_step;
   if (chosen <= Steps(1)) return chosen;  // "1 step" is one of each
   const DisplayUnit* chosen_in = unit_of_taps(tab);
   if (!chosen_in) return chosen;
-  return std::max(Steps(1), to_steps(number_of(chosen, *chosen_in), tab.units().length(axis)));
+  return std::max(Steps(1), to_steps(number_of(chosen, *chosen_in), tab.settings.units().length(axis)));
 }
 
 UnitNames::UnitNames(const Tab& tab) {

@@ -61,7 +61,7 @@ std::string range_sentence(std::string_view text, const NumberRange& range) {
   const std::optional<double> value = read_number(text);
   std::string unit;
   if (!range.unit.empty()) unit.append(" ").append(range.unit);
-  if (!value) return text.empty() ? "A number is missing." : "This is not a number.";
+  if (!value) return text.empty() ? "Type a number." : "This is not a number.";
   if (*value < range.min || *value > range.max) {
     if (range.min <= -1e12) return "At most " + short_number(range.max, range.decimals) + unit + ".";
     if (range.max >= 1e12) return "At least " + short_number(range.min, range.decimals) + unit + ".";

@@ -73,9 +73,4 @@ void Worker::finish() {
   changed_.wait(lock, [this] { return !long_.busy() && !short_.busy(); });
 }
 
-bool Worker::idle() {
-  const std::lock_guard lock(mutex_);
-  return finished_.empty() && !long_.busy() && !short_.busy();
-}
-
 }  // namespace hw::gui

@@ -35,7 +35,6 @@ class Worker {
   }
   /// GUI thread, once a frame. True: a result was delivered.
   bool deliver();
-  [[nodiscard]] bool idle();
   /// GUI thread. Waits until no job is running or waiting; results stay for deliver(). For an exit without
   /// destructors.
   void finish();

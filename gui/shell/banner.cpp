@@ -1,4 +1,4 @@
-// The banner over the centre.
+// Draws the banner over the centre.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -29,17 +29,18 @@ int unset_in(const Tab& tab) {
 }
 
 BannerSubject banner_subject(Tab& tab, const Layout& layout, const Box& below) {
-  using What = BannerSubject::What;
+  using Kind = BannerSubject::Kind;
   const bool narrow = layout.tier == Tier::narrow;
   Tab& worst = tab.bus && !narrow ? tab.bus->worst() : tab;
-  if (worst.now().link.state == LinkState::lost) return {What::lost, &worst};
-  if (narrow || below.empty() || tab.centre_panel == "setup") return {};  // the status line reports it too
+  if (worst.now().link.state == LinkState::lost) return {Kind::lost, &worst};
+  if (narrow || below.empty() || tab.panels.in_front == "setup")
+    return {};  // the status line reports the controllers in error too
   if (tab.now().link.connected())
     if (FollowOffer offer = offer_to_follow(tab);
-        !offer.address.empty() && offer.why_not.empty() && offer.address != tab.follow_left)
-      return {What::moved, &tab, -1, std::move(offer)};
-  if (tab.unset_read) return {};
-  if (const int param = unset_in(tab); param >= 0) return {What::unset, &tab, param};
+        !offer.address.empty() && offer.why_not.empty() && offer.address != tab.view.follow_left)
+      return {Kind::moved, &tab, -1, std::move(offer)};
+  if (tab.view.unset_read) return {};
+  if (const int param = unset_in(tab); param >= 0) return {Kind::unset, &tab, param};
   return {};
 }
 
@@ -66,7 +67,7 @@ std::string_view next_attempt(Ui& ui, const Console& console, const LinkHealth& 
   return {buffer.data(), std::min(end.size, buffer.size())};
 }
 
-/// A banner over the status line is a separate window above the other regions.
+/// A banner over the status line is a window of its own above the other regions.
 void begin_over(Ui& ui, std::string_view id, const Rect& r, bool over_status) {
   if (over_status) {
     begin_region(ui, "banner", r, Tone::panel, ImVec2(0, 0));
@@ -83,13 +84,14 @@ void end_over(bool over_status) {
     end_part();
 }
 
-/// The place of a banner: full height, or one bar.
+/// The place of a banner: at full height, or as one bar.
 struct BannerPlace {
   Box box;
   bool bar = false, over_status = false;
 };
 
-/// Full height if possible; a bar if that would leave too few rows of traffic; folded, one line.
+/// The banner has its full height unless that leaves too few rows of traffic; then it is a bar. Folded, it is
+/// one line.
 BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const Banner& what, bool actions,
                      bool folded) {
   constexpr float one_line = 36, traffic_at_least = 150;
@@ -101,8 +103,8 @@ BannerPlace place_of(const Ui& ui, const Layout& layout, const Box& below, const
   return {{below.x, below.y, below.width, std::min(bar, below.height)}, true, false};
 }
 
-/// Of a status line that a banner covers: messages keep a place there too, unless they stand at the terminal,
-/// as the last frame tells.
+/// Draws the messages beside a banner that covers the status line, unless the last frame has drawn them at
+/// the terminal.
 float draw_messages_beside(Ui& ui, Toasts& toasts, const Box& line) {
   const Widget* strip = ui.registry.find("message/strip");
   if (toasts.list().empty() || (strip && strip->rect.max.y <= ui.px(line.y))) return 0;
@@ -113,7 +115,7 @@ float draw_messages_beside(Ui& ui, Toasts& toasts, const Box& line) {
   return width + 8;
 }
 
-/// Returns the action pressed; `taken` is the height taken from the part below.
+/// Returns the action pressed, or -1; `taken` receives the height taken from the part below.
 int show_banner(Ui& ui, Console& console, const Layout& layout, const Box& below, std::string_view id,
                 const Banner& what, std::span<const Action> actions, float& taken, bool folded = false) {
   const BannerPlace place = place_of(ui, layout, below, what, !actions.empty(), folded);
@@ -137,14 +139,14 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
   const std::string title = fmt::format("No answer from {} since {}.", tab.bus ? tab.id() : tab.name(),
                                         console.time_of_day(link.lost_at));
   const bool others = tab.bus && tab.bus->connected() > 0;
-  const std::string went_on = what_goes_on(tab, Tense::past);
+  const std::string went_on = running_words(tab, Tense::past);
   const std::string sentences = fmt::format(
-      "{}{}\n{}Stop does not reach it now, and goes out first when it answers: to be sure, use its power "
-      "switch. Its state is read again afterwards; nothing moves by itself.",
+      "{}{}\n{}Use its power switch to be sure: Stop does not reach it now, and is sent first when it "
+      "answers. Its state is then read again; nothing moves by itself.",
       others ? "The others answer, so port and baud rate are right. " : "", link.sentence.view(),
       went_on.empty() ? "No motion was seen when the link was lost. "
                       : fmt::format("When the link was lost, {}. ", went_on));
-  // A bar may have no room for its last sentence.
+  // The last sentence may not fit into a bar.
   std::string brief = went_on.empty() ? "No motion was seen." : went_on + ".";
   brief[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(brief[0])));
   brief = "Stop does not reach it: use its power switch. " + brief;
@@ -154,22 +156,22 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
   FollowOffer offer = offer_to_follow(tab);
   const bool moved = !offer.address.empty();
   const bool may_follow = moved && offer.why_not.empty();
-  const bool folds = !below.empty(), folded = tab.banner_folded && folds;
+  const bool folds = !below.empty(), folded = tab.view.banner_folded && folds;
   std::array<Action, 4> all;
   std::size_t count = 0;
   if (moved) all[count++] = {.id = "fault/follow", .label = offer.label, .main = may_follow};
   all[count++] = {.id = "fault/try_now", .label = "Try now", .main = !may_follow};
   if (folds) all[count++] = {.id = "fault/fold", .label = folded ? "Unfold" : "Fold"};
-  // When folded, its text fits only if the report is left out.
+  // The folded text fits only without the report.
   if (!folded) all[count++] = {.id = "fault/report", .label = "Copy this report", .brief = "Report"};
   const std::span<const Action> actions(all.data(), count);
   float taken = 0;
   const int picked = show_banner(ui, console, layout, below, "fault/lost", what, actions, taken, folded);
   if (picked < 0) return taken;
   const std::string_view chosen = actions[static_cast<std::size_t>(picked)].id;
-  if (chosen == "fault/follow") tab.follow_to = std::move(offer.address);
+  if (chosen == "fault/follow") tab.view.follow_to = std::move(offer.address);
   if (chosen == "fault/try_now") console.reconnect(tab);
-  if (chosen == "fault/fold") tab.banner_folded = !tab.banner_folded;
+  if (chosen == "fault/fold") tab.view.banner_folded = !tab.view.banner_folded;
   if (chosen == "fault/report") {
     ImGui::SetClipboardText(report(console, tab).c_str());
     console.toast(Severity::ok, "The report is in the clipboard.");
@@ -177,7 +179,7 @@ float draw_lost(Ui& ui, Console& console, Tab& tab, const Layout& layout, const 
   return taken;
 }
 
-/// Banner about a value to choose in the set-up before the first move.
+/// The banner about a parameter that the user must choose before the first move.
 float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& layout, const Box& below) {
   const ParamInfo& info = tab.catalog().params[static_cast<std::size_t>(param)];
   const Banner what{Severity::warn, Icon::warning, "Before the first move", info.before_moving};
@@ -187,22 +189,22 @@ float draw_unset(Ui& ui, Console& console, Tab& tab, int param, const Layout& la
   float taken = 0;
   const int picked = show_banner(ui, console, layout, below, "fault/unset", what, actions, taken);
   if (picked == 0) console.show_panel("setup", "setup/" + info.mnemonic);
-  if (picked == 1) tab.unset_read = true;
+  if (picked == 1) tab.view.unset_read = true;
   return taken;
 }
 
-/// Banner about a controller that stores another rate than the one it was opened with.
+/// The banner about a controller that stores another name or rate than its address.
 float draw_moved(Ui& ui, Console& console, Tab& tab, const FollowOffer& offer, const Layout& layout,
                  const Box& below) {
-  const Banner what{Severity::warn, Icon::plug, "It keeps another rate",
-                    "It has stored the new rate that was set here. Follow it to connect at that rate from "
-                    "now on. Nothing moves; its state is read again."};
+  const Banner what{Severity::warn, Icon::plug, "The controller keeps another rate",
+                    "Follow it to connect at the new rate from now on: the controller has stored it. Nothing "
+                    "moves; its state is read again."};
   const Action actions[] = {{.id = "fault/follow", .label = offer.label, .main = true},
                             {.id = "fault/follow_left", .label = "Leave it"}};
   float taken = 0;
   const int picked = show_banner(ui, console, layout, below, "fault/moved", what, actions, taken);
-  if (picked == 0) tab.follow_to = offer.address;
-  if (picked == 1) leave_where_it_is(tab, offer);
+  if (picked == 0) tab.view.follow_to = offer.address;
+  if (picked == 1) decline_follow(tab, offer);
   return taken;
 }
 
@@ -210,12 +212,12 @@ float draw_moved(Ui& ui, Console& console, Tab& tab, const FollowOffer& offer, c
 
 float draw_banner(Ui& ui, Console& console, Tab& tab, const BannerSubject& subject, const Layout& layout,
                   const Box& below) {
-  using What = BannerSubject::What;
-  switch (subject.what) {
-    case What::lost: return draw_lost(ui, console, *subject.tab, layout, below);
-    case What::moved: return draw_moved(ui, console, tab, subject.offer, layout, below);
-    case What::unset: return draw_unset(ui, console, tab, subject.param, layout, below);
-    case What::nothing: break;
+  using Kind = BannerSubject::Kind;
+  switch (subject.kind) {
+    case Kind::lost: return draw_lost(ui, console, *subject.tab, layout, below);
+    case Kind::moved: return draw_moved(ui, console, tab, subject.offer, layout, below);
+    case Kind::unset: return draw_unset(ui, console, tab, subject.param, layout, below);
+    case Kind::nothing: break;
   }
   return 0;
 }

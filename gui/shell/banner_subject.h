@@ -1,5 +1,5 @@
 #pragma once
-// The subject of the banner over the centre, which the status line then need not repeat.
+// Chooses the subject of the banner over the centre. The status line does not repeat it.
 #include "gui/shell/follow.h"
 #include "gui/surface/layout.h"
 
@@ -7,23 +7,23 @@ namespace hw::gui {
 
 class Tab;
 
-/// The subject of the banner over the centre. Without room for one, the status line and STOP ALL report the
-/// others of a bus.
+/// The subject of the banner over the centre. Where no banner fits, the status line and STOP ALL report the
+/// other controllers of a bus.
 struct BannerSubject {
-  enum class What : std::uint8_t { nothing, lost, moved, unset };
-  What what = What::nothing;
+  enum class Kind : std::uint8_t { nothing, lost, moved, unset };
+  Kind kind = Kind::nothing;
   Tab* tab = nullptr;
-  int param = -1;       ///< unset
-  FollowOffer offer{};  ///< moved
+  int param = -1;       ///< for `unset`: the parameter
+  FollowOffer offer{};  ///< for `moved`
 };
 
-/// Of a banner that is one bar: in a low part it is never higher.
+/// Height of a banner that is one bar, logical. In a low part the banner is never higher.
 inline constexpr float banner_bar_height = 48;
 
-/// `below`: the part under the panel tabs, of which it takes its rows. Without that part only a lost link is
-/// a subject: advice would cover the status line.
+/// `below` is the part under the panel tabs, from which the banner takes its rows. Without that part only a
+/// lost link is a subject, because advice would cover the status line.
 BannerSubject banner_subject(Tab& tab, const Layout& layout, const Box& below);
-/// The parameter to choose before this controller's first move; -1: none.
+/// The parameter that the user must choose before this controller's first move; -1: none.
 int unset_in(const Tab& tab);
 
 }  // namespace hw::gui

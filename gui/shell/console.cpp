@@ -42,8 +42,8 @@ Console::Console(PanelList list, Outside outside)
 Console::~Console() = default;
 
 Instant Console::clock() const { return outside_->scheduler.now(); }
-PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : nothing_.ports; }
-DeviceFinder& Console::devices() { return outside_->devices ? *outside_->devices : nothing_.devices; }
+PortFinder& Console::ports() { return outside_->ports ? *outside_->ports : no_search_.ports; }
+DeviceFinder& Console::devices() { return outside_->devices ? *outside_->devices : no_search_.devices; }
 const UserFolders& Console::folders() const { return outside_->folders; }
 
 // ---- messages and views
@@ -83,7 +83,7 @@ Page& Console::page_object(std::string_view id) {
 void Console::show_panel(std::string_view id, std::string_view widget) {
   if (!active_) return;
   show_page({});
-  active_->centre_panel = id;
+  active_->panels.in_front = id;
   wanted_.widget = widget;
 }
 
@@ -100,7 +100,8 @@ void Console::step_size(int direction) {
   set_size(next);
 }
 
-/// The panel that opens files of such a name; else the program editor, which reports a file that is no text.
+/// The panel that opens files with such a name; otherwise the program editor, which reports a file that is
+/// not a text.
 static const PanelEntry* opener_of(const PanelList& list, const std::string& path) {
   const std::string name = lower_case(path);
   const PanelEntry* editor = nullptr;
@@ -121,13 +122,13 @@ void Console::start_demo() {
     std::string address = std::string(type.model) + "@emulator";
     const auto catalog = type.make_catalog({});
     if (catalog && catalog->addressed() && catalog->axes.size() == 1)
-      address += ",id=01-04";  // a bus of them
+      address += ",id=01-04";  // a bus of four
     auto opened = open(address);
     if (!opened) {
       toast(Severity::fault, opened.error().sentence());
       continue;
     }
-    ProgramTexts& texts = (*opened)->desk().texts;
+    ProgramTexts& texts = (*opened)->desk().programs.texts;
     if (texts.count() > 0 && texts.text(0).empty()) texts.set_text(0, catalog->program.example);
     const PanelEntry* panel = opener_of(list_, drawing.string());
     if (!drawing.empty() && has(**opened, panel))
@@ -143,7 +144,7 @@ std::string Console::time_of_day(Instant when) const {
 
 void Console::set_day(DayClock day) {
   outside_->day = day;
-  for (const auto& tab : tabs_) tab->desk().traffic.set_clock(day);
+  for (const auto& tab : tabs_) tab->desk().records.traffic.set_clock(day);
 }
 
 // ---- input
@@ -187,7 +188,7 @@ void Console::drop(const std::vector<std::string>& paths) {
 
 // ---- frame
 
-/// How long ago the press or release of this frame happened.
+/// The age of the press or release that this frame shows, in seconds.
 static std::optional<double> user_acted_s_ago(const Ui& ui) {
   if (ImGui::IsMouseReleased(0)) return std::max(0.0, ui.now_s - ui.input.released_at_s());
   if (ImGui::IsMouseClicked(0)) return std::max(0.0, ui.now_s - ui.input.pressed_at_s());
@@ -201,17 +202,18 @@ void Console::refresh(Ui& ui) {
   for (const auto& tab : tabs_) {
     tab->refresh();
     tab->user_acted(ago_s);
-    if (const auto turns = tab->desk().text_turns(); std::exchange(tab->text_turns, turns) != turns)
-      toasts_.withdraw(&tab->desk().texts);
+    if (const auto turns = tab->desk().programs.text_turns();
+        std::exchange(tab->view.text_turns, turns) != turns)
+      toasts_.withdraw(&tab->desk().programs.texts);
     report_news(*tab);
-    if (tab->desk().step_recorder->busy()) ui.wake_in(0.02);  // its times are in no snapshot
+    if (tab->desk().step_recorder->busy()) ui.wake_in(0.02);  // snapshots do not report its times
     if (const double due = tab->desk().autosave_due_in(tab->clock()); due >= 0) ui.wake_in(due);
   }
-  for (std::string& sentence : take_last_words()) toast(Severity::warn, std::move(sentence));
-  if (!ImGui::IsMouseDown(0)) save();  // not at every step of a dragged slider
+  for (std::string& sentence : take_closing_messages()) toast(Severity::warn, std::move(sentence));
+  if (!ImGui::IsMouseDown(0)) save();  // not at each step of a dragged slider
 }
 
-// A device of a bus is always named, as its neighbours are beside it.
+// A toast always names a device of a bus, because the other devices are shown beside it.
 void Console::toast(const Tab& of, Severity severity, std::string sentence, const void* about) {
   const bool adjacent = of.bus && of.bus->members.size() > 1;
   if (adjacent && !mentions(sentence, of.id())) sentence = fmt::format("{}: {}", of.id(), sentence);
@@ -219,7 +221,7 @@ void Console::toast(const Tab& of, Severity severity, std::string sentence, cons
 }
 
 void Console::report_news(Tab& tab) {
-  for (Notice& notice : tab.take_notices()) {
+  for (Notice& notice : tab.messages.take_notices()) {
     const bool asked = notice.kind == Notice::Kind::question && &tab == active() &&
                        dialogs.make_room(tab, std::move(notice.slots));
     if (asked) {
@@ -236,14 +238,15 @@ void Console::report_news(Tab& tab) {
     toast(tab, report.severity, std::move(report.sentence));
   for (Report& report : tab.desk().step_recorder->take_report())
     toast(tab, report.severity, std::move(report.sentence));
-  for (std::string& complaint : tab.complaints()) {
-    // The refusal repeats in a toast the question of a dialog. An outcome has less room than a notice.
+  for (std::string& complaint : tab.messages.complaints()) {
+    // A refusal that repeats the question of the open dialog needs no toast. The outcome may be cut, because
+    // it holds less text than a notice.
     const bool asked = !asked_.empty() && asked_.starts_with(complaint);
     if (!asked) toast(tab, Severity::fault, std::move(complaint), &tab);
     if (asked) asked_.clear();
   }
-  tab.complaints().clear();
-  if (auto& question = tab.question(); question && !dialogs.open()) {
+  tab.messages.complaints().clear();
+  if (auto& question = tab.messages.followed.question(); question && !dialogs.open()) {
     dialogs.closing(tab, std::move(*question));
     question.reset();
   }
@@ -286,7 +289,7 @@ void Console::draw(Ui& ui) {
   for (const auto& tab : tabs_) {
     tab->user_acted({});
     if (tab->jog.tick(ui.now_s))
-      toast(Severity::warn, "This computer was busy, so the held jog was ended. Let go, and hold again.");
+      toast(Severity::warn, "Let go, and hold again: this computer was busy, so the held jog was ended.");
     ui.wake_in(tab->jog.due_in_s(ui.now_s));
   }
 }
@@ -329,9 +332,9 @@ void Console::save_choices() {
 void Console::save() {
   save_choices();
   for (const auto& tab : tabs_)
-    if (tab->profile_changed) {
-      tab->profile_changed = false;
-      report_failure(ProfileStore(outside_->folders).save(tab->profile_key, tab->profile));
+    if (tab->settings.changed) {
+      tab->settings.changed = false;
+      report_failure(ProfileStore(outside_->folders).save(tab->settings.key, tab->settings.profile));
     }
 }
 

@@ -1,4 +1,5 @@
-// The console's controllers: opening, naming, joining on a bus, closing, and choosing the one in front.
+// Opens, names and closes the console's controllers, joins them on a bus, and chooses the controller in
+// front.
 #include <algorithm>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "core/session/last_end.h"
 #include "core/session/rehearse_together.h"
 #include "core/session/session_group.h"
+#include "gui/model/jog_choice.h"
 #include "gui/shell/console.h"
 #include "gui/shell/emulator_server.h"
 #include "gui/shell/outside.h"
@@ -15,7 +17,7 @@ namespace hw::gui {
 
 /// The user's name for the controller, or for its bus; empty: none.
 static std::string users_name(const Tab& tab) {
-  return tab.bus ? tab.bus->members.front()->profile.bus_name : tab.profile.name;
+  return tab.bus ? tab.bus->members.front()->settings.profile.bus_name : tab.settings.profile.name;
 }
 
 Result<Tab*> Console::open(std::string_view text) {
@@ -52,26 +54,26 @@ void Console::join(std::vector<Tab*> members, std::string name, std::shared_ptr<
   bus->members = std::move(members);
   for (Tab* member : bus->members) member->bus = bus;
   Tab& first = *bus->members.front();
-  first.choose_jog(first.jog_step(), first.jog_speed());
+  choose_jog(first, first.settings.profile.jog_step, first.settings.profile.jog_speed);
   activate(first);
 }
 
 Console::Together Console::rehearsal_of(const Bus& bus) const {
   if (!bus.group) return nullptr;
   std::vector<ControllerState> states;
-  for (Tab* member : bus.members) states.push_back(member->desk().state_of(member->now()));
+  for (Tab* member : bus.members) states.push_back(known_state(member->desk().programs.texts, member->now()));
   return [states = std::move(states), address = bus.group->address(),
           opener = outside_->open_wire](const sequence::Sequence& sequence) {
-    constexpr Duration at_most = std::chrono::hours(1);  // takes the worker some seconds
+    constexpr Duration at_most = std::chrono::hours(1);  // limits the work to some seconds
     return rehearse_together(sequence, address, states, opener, at_most);
   };
 }
 
 Console::InPieces Console::rehearsal_of(Tab& tab) const {
   if (!tab.session()) return nullptr;
-  return [state = tab.desk().state_of(tab.now()), address = tab.address(),
+  return [state = known_state(tab.desk().programs.texts, tab.now()), address = tab.address(),
           opener = outside_->open_wire](std::shared_ptr<const Pieces> pieces) {
-    constexpr Duration at_most = std::chrono::hours(1);  // takes the worker some seconds
+    constexpr Duration at_most = std::chrono::hours(1);  // limits the work to some seconds
     return rehearse_pieces(std::move(pieces), address, state, opener, at_most);
   };
 }
@@ -89,21 +91,21 @@ Tab& Console::make_tab(std::shared_ptr<Session> session, bool on_bus) {
   std::string key =
       free_key(profile_key(address, outside_->usb_serial ? outside_->usb_serial(address) : std::string()));
   auto tab = std::make_unique<Tab>(std::move(session), std::move(key), on_bus);
-  auto profile = ProfileStore(outside_->folders).load(tab->profile_key);
+  auto profile = ProfileStore(outside_->folders).load(tab->settings.key);
   if (profile) {
-    tab->profile = std::move(*profile);
-    tab->profile_edited();
-    tab->profile_changed = false;
+    tab->settings.profile = std::move(*profile);
+    tab->settings.edited();
+    tab->settings.changed = false;
   } else {
     toast(Severity::warn, profile.error().sentence());
   }
-  tab->default_name = free_name(tab->catalog().short_name);
+  tab->settings.default_name = free_name(tab->catalog().short_name);
   if (outside_->folders.enabled)
-    report_failure(tab->desk().keep_texts(Autosave(outside_->folders), tab->profile_key));
-  if (outside_->folders.enabled && !tab->emulated())  // each emulator is another controller
+    report_failure(tab->desk().kept.begin(Autosave(outside_->folders), tab->settings.key));
+  if (outside_->folders.enabled && !tab->emulated())  // an emulator is a new controller each time
     report_failure(
-        tab->desk().places.keep_under(KeptPositions(outside_->folders), tab->profile_key, clock()));
-  tab->desk().use(outside_->worker);
+        tab->desk().places.keep_under(KeptPositions(outside_->folders), tab->settings.key, clock()));
+  tab->desk().work.use(outside_->worker);
   return add(std::move(tab));
 }
 
@@ -114,7 +116,7 @@ static std::string numbered(const std::string& wanted, Taken taken) {
   return name;
 }
 
-/// The short name, with a number if another unnamed controller has it already.
+/// The short name, with a number if another controller has it already.
 std::string Console::free_name(const std::string& wanted) const {
   return numbered(wanted, [this](const std::string& name) {
     return std::any_of(tabs_.begin(), tabs_.end(), [&](const auto& tab) { return tab->name() == name; });
@@ -123,13 +125,13 @@ std::string Console::free_name(const std::string& wanted) const {
 
 std::string Console::free_key(const std::string& wanted) const {
   return numbered(wanted, [this](const std::string& key) {
-    return std::any_of(tabs_.begin(), tabs_.end(), [&](const auto& tab) { return tab->profile_key == key; });
+    return std::any_of(tabs_.begin(), tabs_.end(), [&](const auto& tab) { return tab->settings.key == key; });
   });
 }
 
 Tab& Console::add(std::unique_ptr<Tab> tab) {
-  tab->panels.resize(list_.panels.size());
-  tab->desk().traffic.set_clock(outside_->day);
+  tab->panels.all.resize(list_.panels.size());
+  tab->desk().records.traffic.set_clock(outside_->day);
   tabs_.push_back(std::move(tab));
   activate(*tabs_.back());
   return *tabs_.back();
@@ -139,7 +141,7 @@ static std::string opened_as(const Tab& tab) {
   return (tab.bus && tab.bus->group ? tab.bus->group->address() : tab.address()).text();
 }
 
-/// Closed by the user: not reopened with the others.
+/// The user closes the controller, so the next start does not reopen it.
 void Console::close(Tab& tab) {
   report_failure(recent_.closed(opened_as(tab)));
   close_with_bus(tab);
@@ -152,7 +154,7 @@ void Console::close_with_bus(Tab& tab) {
   for (Tab* member : bus->members) close_one(*member);
 }
 
-/// Ctrl W: closes the controller in front, or the one being asked about.
+/// Called for Ctrl W. Closes the controller in front, or the controller that the open question is about.
 void Console::close_as_asked() {
   if (!std::exchange(close_asked_, false)) return;
   Tab* tab = dialogs.open() ? dialogs.closing() : active();
@@ -168,8 +170,8 @@ void Console::close_one(Tab& tab) {
     Task<> closed = session->close();
     // The session lives until its last coroutine has ended; at a count of 0 the scheduler may stop.
     asio::co_spawn(outside_->scheduler.executor(), std::move(closed),
-                   [session, counter = closing_.left, words = closing_.last_words, wake = outside_->wake,
-                    name = std::string(tab.name())](std::exception_ptr) {
+                   [session, counter = closing_.left, words = closing_.closing_messages,
+                    wake = outside_->wake, name = std::string(tab.name())](std::exception_ptr) {
                      session->notices().drain([&](Notice& notice) {
                        notice.text = fmt::format("{}: {}", name, notice.text);
                        words->push(std::move(notice));
@@ -182,11 +184,11 @@ void Console::close_one(Tab& tab) {
   const auto index = at - tabs_.begin();
   const bool was_active = active_ == &tab;
   dialogs.close();
-  // Its switch goes with its row of the connection page.
-  if (EmulatorServer* server = ports().server(); server && server->find(tab.profile_key))
-    server->end(tab.profile_key);
-  toasts_.withdraw(&tab);  // an earlier refusal there is over
-  toasts_.withdraw(&tab.desk().texts);
+  // Serving ends, because the switch for it disappears with the row on the connection page.
+  if (EmulatorServer* server = ports().server(); server && server->find(tab.settings.key))
+    server->end(tab.settings.key);
+  toasts_.withdraw(&tab);  // an earlier refusal no longer matters
+  toasts_.withdraw(&tab.desk().programs.texts);
   tabs_.erase(at);
   if (!was_active) return;
   active_ = nullptr;
@@ -196,9 +198,9 @@ void Console::close_one(Tab& tab) {
     activate(*tabs_[std::min<std::size_t>(static_cast<std::size_t>(index), tabs_.size() - 1)]);
 }
 
-std::vector<std::string> Console::take_last_words() {
+std::vector<std::string> Console::take_closing_messages() {
   std::vector<std::string> words;
-  closing_.last_words->drain([&](Notice& notice) {
+  closing_.closing_messages->drain([&](Notice& notice) {
     if (notice.kind == Notice::Kind::warning || notice.kind == Notice::Kind::error)
       words.push_back(std::move(notice.text));
   });
@@ -214,8 +216,8 @@ void Console::rename(Tab& tab, std::string name) {
   if (tab.bus) {
     tab.bus->rename(std::move(name));
   } else {
-    tab.profile.name = std::move(name);
-    tab.profile_edited();
+    tab.settings.profile.name = std::move(name);
+    tab.settings.edited();
   }
   report_failure(recent_.renamed(opened_as(tab), users_name(tab)));
 }
@@ -230,7 +232,7 @@ void Console::activate(Tab& tab) {
     auto& members = tab.bus->members;
     tab.bus->chosen =
         static_cast<std::size_t>(std::find(members.begin(), members.end(), &tab) - members.begin());
-    if (active_ && active_->bus == tab.bus) tab.centre_panel = active_->centre_panel;
+    if (active_ && active_->bus == tab.bus) tab.panels.in_front = active_->panels.in_front;
   }
   active_ = &tab;
   if (!page_.empty()) show_page({});

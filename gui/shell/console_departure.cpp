@@ -1,5 +1,5 @@
-// The session of the user ends without a question: stops what this console began, records it, and reports it
-// at the next start.
+// When the user's session ends without a question, the console stops the motions and programs that it began,
+// records them, and reports them at the next start.
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -17,9 +17,9 @@ namespace {
 
 constexpr Duration for_rest = std::chrono::seconds(5);
 
-/// A controller that was sent a stop; shared with the io thread.
+/// A controller to which a stop was sent; shared with the io thread.
 struct Watched {
-  std::size_t place;  ///< in LastEnd::controllers
+  std::size_t place;  ///< index in LastEnd::controllers
   std::atomic<bool> over{false}, rests{false};
   explicit Watched(std::size_t p) : place(p) {}
 };
@@ -29,7 +29,7 @@ bool at_rest(const Snapshot& s) {
   return s.link.state == LinkState::good && !runs && !s.working && !s.any_axis_moving();
 }
 
-// Whether a stop was refused or ended unexpectedly, the observed state afterwards decides.
+// The state observed after the stop decides, even if the stop was refused or failed.
 Task<> see_at_rest(std::shared_ptr<Session> session, IntentId stop, std::shared_ptr<Watched> watched) {
   co_await session->outcome(stop);
   co_await session->wait_until_idle(for_rest);
@@ -39,11 +39,11 @@ Task<> see_at_rest(std::shared_ptr<Session> session, IntentId stop, std::shared_
 
 }  // namespace
 
-void Console::depart(std::string_view how) {
+void Console::shut_down(std::string_view how) {
   LastEnd end{date_of_today(), time_of_day(clock()), std::string(how), {}};
   std::vector<std::shared_ptr<Watched>> watched;
   for (const auto& tab : tabs_) {
-    const std::string what = what_goes_on(*tab, Tense::past);
+    const std::string what = running_words(*tab, Tense::past);
     if (what.empty()) continue;
     LastEnd::Controller& controller = end.controllers.emplace_back();
     controller.name = whose(*tab, what), controller.what = what;
@@ -74,7 +74,7 @@ void Console::note_unreached(std::span<Tab* const> closed, std::string_view how)
   LastEnd end{date_of_today(), time_of_day(clock()), std::string(how), {}};
   for (const Tab* tab : closed) {
     if (reached(*tab) || !goes_on(*tab) || !begun_here(*tab)) continue;
-    const std::string what = what_goes_on(*tab, Tense::past);
+    const std::string what = running_words(*tab, Tense::past);
     end.controllers.push_back({whose(*tab, what), what, LastEnd::Outcome::no_stop_sent});
   }
   if (!end.controllers.empty()) report_failure(LastEnds(outside_->folders).keep(end));

@@ -1,4 +1,4 @@
-// Keys that work wherever the caret is: stop, jog while held, change the controller, the size, the help.
+// Handles the keys that work wherever the caret is: stop, held jogs, next controller, size, help.
 #include "gui/input/keyboard.h"
 #include "gui/model/stop_words.h"
 #include "gui/model/tap_size.h"
@@ -41,7 +41,7 @@ void Console::on_edge(const CommandEdge& edge) {
     stop_all(edge.by_pad ? StoppedBy::button : StoppedBy::key);
     if (list_open_ && !tabs_.empty()) toast(Severity::plain, words_of_esc(tabs_));
   } else if (edge.command == Command::stop_at_once) {
-    if (edge.down) stop_all(StoppedBy::key);  // the second press in a row
+    if (edge.down) stop_all(StoppedBy::key);  // a second press in a row stops at once
   } else if (edge.command == Command::next_controller || edge.command == Command::previous_controller) {
     if (edge.down) activate_next(edge.command == Command::next_controller ? 1 : -1);
   } else if (edge.command == Command::show_map) {
@@ -63,7 +63,8 @@ void Console::jog_key(Tab& tab, const CommandEdge& edge) {
     const auto held = tab.jog.control();
     const bool lets_go =
         !edge.down && held && held->source == JogHold::Source::gamepad && held->sign == key.sign;
-    const AxisId chosen = lets_go ? held->axis : tab.chosen_axis;  // the chosen axis may have changed since
+    const AxisId chosen =
+        lets_go ? held->axis : tab.view.chosen_axis;  // the chosen axis may have changed since
     const AxisId axis = key.axis == the_chosen ? chosen : AxisId{key.axis};
     if (axis.index >= tab.catalog().axes.size()) continue;
     const JogHold::Control control{edge.by_pad ? JogHold::Source::gamepad : JogHold::Source::keyboard, axis,
@@ -72,9 +73,9 @@ void Console::jog_key(Tab& tab, const CommandEdge& edge) {
     if (!edge.down) return tab.jog.release(control, edge.at_s);
     if (const std::string_view why = tab.why_not_move(axis); !why.empty())
       return toast(Severity::warn, std::string(why));
-    // A stick that snaps back overshoots its centre: that is not a tap.
+    // A stick that snaps back overshoots its centre, which must not count as a tap.
     const bool taps = !edge.by_pad || key.axis == the_chosen;
-    tab.jog.press(control, {taps ? tap_of(tab, axis) : Steps(), tab.jog_speed(axis)}, edge.at_s);
+    tab.jog.press(control, {taps ? tap_of(tab, axis) : Steps(), tab.settings.jog_speed(axis)}, edge.at_s);
   }
 }
 
@@ -82,11 +83,11 @@ void Console::confirm_held_key(Ui& ui) {
   if (std::string why = ui.gamepad.take_words(); !why.empty()) toast(Severity::warn, std::move(why));
   Tab* tab = active();
   auto held = tab ? tab->jog.control() : std::nullopt;
-  // A dialog or a list has opened: nothing may begin or continue behind it.
+  // No motion may begin or continue behind an open dialog or list.
   if (held && held->source != JogHold::Source::mouse && ui.registry.top_layer() > 0) held.reset();
   const bool by_pad = held && held->source == JogHold::Source::gamepad;
   if (by_pad && ui.gamepad.holds()) tab->jog.confirm(*held);
-  if (!by_pad && ui.gamepad.holds()) ui.gamepad.rest_first();  // something else has ended its hold
+  if (!by_pad && ui.gamepad.holds()) ui.gamepad.rest_first();  // the hold was ended by other means
   if (!held || held->source != JogHold::Source::keyboard) return;
   for (const JogKey& key : jog_keys)
     if (key.axis == held->axis.index && key.sign == held->sign && ui.keyboard.held(key.command))

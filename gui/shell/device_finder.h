@@ -1,6 +1,6 @@
 #pragma once
-// The connection page's interface to the search for devices on a shared line whose port, rate or id is not
-// known: each id is asked at each rate of each port, which is slow and can be cancelled.
+// The connection page searches through this interface for devices on a shared line whose port, rate or id is
+// not known. The search asks each id at each rate of each port; it is slow and can be cancelled.
 #include <string>
 #include <vector>
 
@@ -8,7 +8,7 @@ namespace hw::gui {
 
 struct FoundDevice {
   std::string title;    ///< name from the catalog
-  std::string address;  ///< address to open; empty: a port that could not be asked
+  std::string address;  ///< address to open; empty: the port could not be asked
   std::string sentence;
 };
 
@@ -22,14 +22,14 @@ struct DeviceSearchState {
 class DeviceFinder {
  public:
   virtual ~DeviceFinder() = default;
-  /// `path`: one port; empty: all. `baud` 0: all rates. GUI thread.
+  /// Starts a search. An empty `path` means all ports, `baud` 0 all rates. GUI thread.
   virtual void start(const std::string& path, int baud, int first_id, int last_id) = 0;
   virtual void cancel() = 0;
   /// The present state; the console's wake() announces changes.
   virtual const DeviceSearchState& state() = 0;
 };
 
-/// Finds nothing.
+/// A finder without ports.
 class NoDevices final : public DeviceFinder {
  public:
   void start(const std::string&, int, int, int) override {}

@@ -23,7 +23,7 @@ void title(Ui& ui, std::string_view words) {
   gap(ui, 8);
 }
 
-/// Label at the left, field to the right of it.
+/// Draws a label with a field at its right.
 Field labelled_field(Ui& ui, std::string_view id, std::string_view label, std::string& text_of,
                      std::string_view placeholder) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -40,8 +40,8 @@ struct Choice {
   bool moving = false;
 };
 
-/// The buttons of a dialog, right aligned, the safe one first. Returns the index of the one just pressed, or
-/// -1.
+/// Draws the buttons of a dialog, right aligned, the safe button first. Returns the index of the button
+/// pressed in this frame, or -1.
 int draw_choices(Ui& ui, std::span<const Choice> choices) {
   float all = 0;
   for (const Choice& c : choices)
@@ -60,18 +60,18 @@ int draw_choices(Ui& ui, std::span<const Choice> choices) {
 
 // ---- effects of closing a tab or window
 
-/// All tabs that are closed together with this one.
+/// The tabs that are closed together with this tab, itself included.
 std::vector<Tab*> closed_with(Tab& tab) { return tab.bus ? tab.bus->members : std::vector<Tab*>(1, &tab); }
 
 bool any_goes_on(std::span<Tab* const> tabs) {
   return std::any_of(tabs.begin(), tabs.end(), [](const Tab* tab) { return goes_on(*tab); });
 }
 
-/// Unsaved data of panels, naming the controller where there are several.
-std::string unkept_of(std::span<Tab* const> tabs) {
+/// Names the unsaved data of panels, and its controller if there are several.
+std::string unsaved_of(std::span<Tab* const> tabs) {
   std::string all;
   for (const Tab* tab : tabs) {
-    const std::string what = tab->unkept();
+    const std::string what = tab->panels.unkept();
     if (what.empty()) continue;
     if (!all.empty()) all += ' ';
     all += tabs.size() > 1 ? fmt::format("{}: {}", tab->name(), what) : what;
@@ -89,28 +89,29 @@ void Dialogs::begin(Kind kind, Tab& tab) {
 
 void Dialogs::names(Tab& tab) {
   begin(Kind::names, tab);
-  name_ = tab.bus ? tab.bus->members.front()->profile.bus_name : tab.profile.name;
+  name_ = tab.bus ? tab.bus->members.front()->settings.profile.bus_name : tab.settings.profile.name;
   axis_names_.clear();
-  for (std::size_t i = 0; i < tab.catalog().axes.size(); ++i) axis_names_.push_back(tab.profile.axes[i].name);
+  for (std::size_t i = 0; i < tab.catalog().axes.size(); ++i)
+    axis_names_.push_back(tab.settings.profile.axes[i].name);
 }
 
 bool Dialogs::ask_to_close(Console& console, Kind kind, Tab* tab, std::vector<Tab*> closed) {
   closed_ = std::move(closed);
-  if (kind_ == kind && tab_ == tab) {  // asked again while the question is open: stop and close
+  if (kind_ == kind && tab_ == tab) {  // a second request while the question is open: stop and close
     leave(console, true);
     return false;
   }
   goes_on_ = any_goes_on(closed_);
-  unkept_ = unkept_of(closed_);
+  unkept_ = unsaved_of(closed_);
   if (!goes_on_ && unkept_.empty()) return false;
   begin(kind, *tab);
   words_height_ = 0;
   return true;
 }
 
-/// Acts on the answer; the caller closes the rest.
+/// Acts on the answer. The caller closes the dialog.
 void Dialogs::leave(Console& console, bool stopped) {
-  if (stopped) stop_what_goes_on(closed_);
+  if (stopped) stop_running(closed_);
   console.note_unreached(
       closed_, kind_ == Kind::end ? "the window was closed" : fmt::format("{} was closed", tab_->name()));
   close();
@@ -138,7 +139,7 @@ bool Dialogs::make_room(Tab& tab, std::vector<int> slots) {
   return true;
 }
 
-bool Dialogs::closing(Tab& tab, Tab::Question question) {
+bool Dialogs::closing(Tab& tab, FollowedIntents::Question question) {
   if (open()) return false;
   begin(Kind::closing, tab);
   question_ = std::move(question);
@@ -182,7 +183,8 @@ void Dialogs::draw_names(Ui& ui, Console& console) {
   const int pressed = draw_choices(ui, choices);
   if (pressed == 0) close();
   if (!done && pressed != 1) return;
-  for (std::size_t i = 0; i < axis_names_.size(); ++i) tab_->profile.axes[i].name = axis_names_[i];
+  for (std::size_t i = 0; i < axis_names_.size(); ++i) tab_->settings.profile.axes[i].name = axis_names_[i];
+  tab_->settings.edited();
   console.rename(*tab_, name_);
   close();
 }
@@ -191,11 +193,12 @@ std::string Dialogs::why_asked() const {
   std::string what;
   if (goes_on_) what = kind_ == Kind::end ? goes_on_unwatched(closed_) : goes_on_unwatched(*tab_);
   if (unkept_.empty()) return what;
-  return what.empty() ? unkept_ + " Closing loses it." : fmt::format("{} {} That is lost.", what, unkept_);
+  return what.empty() ? unkept_ + " Closing loses it."
+                      : fmt::format("{} {} Closing loses it.", what, unkept_);
 }
 
-/// For a controller or the window. Enter means stay; the motion may end meanwhile, and the buttons keep their
-/// places.
+/// Draws the question before closing a controller or the window. Enter means stay. The buttons keep their
+/// places when the motion ends meanwhile.
 void Dialogs::draw_close(Ui& ui, Console& console) {
   title(ui, kind_ == Kind::end ? "Close the window?" : fmt::format("Close {}?", tab_->name()));
   goes_on_ = goes_on_ || any_goes_on(closed_);
@@ -230,11 +233,14 @@ void Dialogs::draw_close(Ui& ui, Console& console) {
 
 void Dialogs::draw_reset(Ui& ui) {
   const Snapshot& now = tab_->now();
-  title(ui, fmt::format("Reset {}?", tab_->bus ? tab_->id() : tab_->name()));  // the neighbours are not reset
+  title(ui, fmt::format("Reset {}?", tab_->bus
+                                         ? tab_->id()
+                                         : tab_->name()));  // the other controllers of the bus are not reset
   std::string what =
-      "As if its power had been switched off and on: it stops, and its positions start from zero.";
+      "A reset acts like switching the power off and on: the controller stops, and its positions start from "
+      "zero.";
   if (now.unsaved_setup || now.unsaved_programs)
-    what += " Store first to keep unsaved data: what is only in RAM is lost.";
+    what += " Store first to keep unsaved data: data that is only in RAM is lost.";
   wrapped(ui, Face::body, Tone::ink2, what);
   gap(ui, 12);
   static constexpr Choice choices[] = {{"reset/cancel", "Cancel", ButtonStyle::outlined},
@@ -249,8 +255,8 @@ void Dialogs::draw_make_room(Ui& ui, Console& console) {
   const Snapshot& now = tab_->now();
   title(ui, "Which program may be emptied?");
   wrapped(ui, Face::body, Tone::ink2,
-          "Choose one: a move of the console needs an empty program for its duration, and all of them hold "
-          "commands. The text of the chosen one is loaded into the editor first.");
+          "Choose a program: a move of the console needs an empty program for its duration, and all programs "
+          "hold commands. The text of the chosen program is loaded into the editor first.");
   gap(ui, 12);
   int chosen = -1;
   for (const int slot : slots_) {
@@ -272,14 +278,14 @@ void Dialogs::draw_make_room(Ui& ui, Console& console) {
   if (draw_choices(ui, choices) == 0) close();
   if (chosen < 0) return;
   close();
-  console.show_panel("program");  // where its text is fetched to, and the outcome is shown
+  console.show_panel("program");  // the panel gets the text and shows the outcome
   Desk& desk = tab_->desk();
-  desk.job.begin(ProgramJob::Goal::make_room, chosen, desk.texts, now, tab_->catalog(),
-                 [this](IntentBody body) { return tab_->send(std::move(body)); });
+  desk.programs.job.begin(ProgramJob::Goal::make_room, chosen, desk.programs.texts, now, tab_->catalog(),
+                          [this](IntentBody body) { return tab_->send(std::move(body)); });
 }
 
 void Dialogs::draw_closing(Ui& ui) {
-  title(ui, "Drive it to its command?");
+  title(ui, "Drive the axis to its command?");
   wrapped(ui, Face::body, Tone::ink2, question_->sentence);
   gap(ui, 12);
   static constexpr Choice choices[] = {

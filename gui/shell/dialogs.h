@@ -1,5 +1,5 @@
 #pragma once
-// The console's own few questions. One at a time, over everything but STOP ALL and Esc.
+// The console's own questions, one at a time. A question covers everything except STOP ALL; Esc still stops.
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,21 +13,23 @@ class Ui;
 
 class Dialogs {
  public:
-  /// Names of the controller and its axes.
+  /// Asks for the names of the controller and its axes.
   void names(Tab& tab);
-  /// Closes the controller. Asks first when something moves, a program runs or a panel holds unsaved data; a
-  /// second call meanwhile stops the controller and closes.
+  /// Closes the controller. Asks first when an axis moves, a program runs or a panel holds unsaved data. A
+  /// second call while the question is open stops the controller and closes it.
   void close_controller(Console& console, Tab& tab);
-  /// The same for the window. False: a question is shown first, and Console::ended() gives the answer.
+  /// Whether the window may close now. False: a question is shown first, and Console::ended() gives its
+  /// answer.
   bool may_end(Console& console);
-  /// The controller whose closing is being asked about; null: none.
+  /// The controller that the question about closing is about; null: no such question is open.
   [[nodiscard]] Tab* closing() const;
   void reset(Tab& tab);
-  /// Asks which of `slots` may be emptied, as a move needs an empty program and there is none. False, and
-  /// nothing is asked, while another question is open.
+  /// Asks which of `slots` may be emptied, because a move needs an empty program and there is none. Returns
+  /// false without asking while another question is open.
   bool make_room(Tab& tab, std::vector<int> slots);
-  /// Asks about a servo axis whose loop is about to close far from its command. False as make_room().
-  bool closing(Tab& tab, Tab::Question question);
+  /// Asks about a servo axis whose loop is about to close far from its commanded position. Returns false
+  /// without asking while another question is open.
+  bool closing(Tab& tab, FollowedIntents::Question question);
   [[nodiscard]] bool open() const { return kind_ != Kind::none; }
   void close() { kind_ = Kind::none; }
   void draw(Ui& ui, Console& console);
@@ -46,15 +48,15 @@ class Dialogs {
 
   Kind kind_ = Kind::none;
   bool just_opened_ = false;
-  bool goes_on_ = false;      ///< the closed controllers are active, or were when the question was asked
-  std::string unkept_;        ///< what would be lost
-  std::vector<Tab*> closed_;  ///< closed by the pending answer
-  float words_height_ = 0;    ///< height of the reasons so far, in pixels
+  bool goes_on_ = false;      ///< the controllers move or run, or did so when the question was asked
+  std::string unkept_;        ///< data that would be lost
+  std::vector<Tab*> closed_;  ///< controllers that the pending answer closes
+  float words_height_ = 0;    ///< largest height of the reasons so far, in pixels
   Tab* tab_ = nullptr;
   std::string name_;
   std::vector<std::string> axis_names_;
   std::vector<int> slots_;
-  std::optional<Tab::Question> question_;
+  std::optional<FollowedIntents::Question> question_;
 };
 
 }  // namespace hw::gui

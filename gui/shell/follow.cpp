@@ -27,17 +27,17 @@ void for_all_on_wire(Of& tab, Does does) {
 std::string unkept_on_wire(const Tab& tab) {
   std::string all;
   for_all_on_wire(tab, [&all](const Tab& one) {
-    if (std::string what = one.unkept(); !what.empty()) all += (all.empty() ? "" : " ") + what;
+    if (std::string what = one.panels.unkept(); !what.empty()) all += (all.empty() ? "" : " ") + what;
   });
   return all;
 }
 
-/// A controller that moves, or may move, continues when its tab is closed, and a stop that waits for it would
+/// Closing the tab would not stop a controller that moves or may move, and a stop that waits to be sent would
 /// be lost.
 std::string why_not_closed(const Tab& tab, const Address& to) {
   std::vector<std::string_view> moving, lost;
   for_all_on_wire(tab, [&](const Tab& one) {
-    if (goes_on(one) || one.stop_waits())
+    if (goes_on(one) || one.messages.followed.stop_waits())
       (reached(one) ? moving : lost).push_back(one.bus ? one.id() : one.name());
   });
   if (!moving.empty()) return fmt::format("Stop {} first, then follow.", in_words(moving));
@@ -57,7 +57,7 @@ void follow(Console& console, Tab& tab, const std::string& address) {
   if (const std::string unkept = unkept_on_wire(tab); !unkept.empty())
     return console.toast(tab, Severity::warn, "Save it first, then follow: " + unkept, &tab);
   const std::string before = address_of_wire(tab).text();
-  const std::string panel = tab.centre_panel;
+  const std::string panel = tab.panels.in_front;
   const TabProfiles belongings(tab);
   console.close(tab);
   auto opened = console.open(address);
@@ -67,7 +67,7 @@ void follow(Console& console, Tab& tab, const std::string& address) {
   }
   if (!opened) return;
   belongings.apply_to(**opened);
-  (*opened)->centre_panel = panel;
+  (*opened)->panels.in_front = panel;
 }
 
 }  // namespace
@@ -78,13 +78,13 @@ FollowOffer offer_to_follow(const Tab& tab) {
   return {"Follow to " + words_of_move(address_of_wire(tab), *to), to->text(), why_not_closed(tab, *to)};
 }
 
-void leave_where_it_is(Tab& tab, const FollowOffer& offer) {
-  for_all_on_wire(tab, [&offer](Tab& one) { one.follow_left = offer.address; });
+void decline_follow(Tab& tab, const FollowOffer& offer) {
+  for_all_on_wire(tab, [&offer](Tab& one) { one.view.follow_left = offer.address; });
 }
 
 void follow_as_asked(Console& console) {
   for (const auto& tab : console.tabs())
-    if (const std::string to = std::exchange(tab->follow_to, {}); !to.empty())
+    if (const std::string to = std::exchange(tab->view.follow_to, {}); !to.empty())
       return follow(console, *tab, to);
 }
 

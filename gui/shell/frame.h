@@ -1,7 +1,7 @@
 #pragma once
-// The data of a panel's frame: one controller at one instant, and the calls to act on it. Made by the console
-// for each panel and frame; a panel keeps none of it, holds view state only, and never knows a device by
-// name.
+// The data that a panel gets in each frame: one controller at one instant, and the calls to act on it. The
+// console makes it for each panel and frame, and a panel keeps none of it. A panel holds view state only, and
+// never knows a device by name.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -26,10 +26,10 @@ struct PageFrame {
   Box area;  ///< logical pixels; the panel is an ImGui child there, with its cursor at the top left
   Tier tier;
   bool rail;      ///< a column 56 wide with lamps only
-  Instant clock;  ///< present time; an age is `clock` minus seen_at
+  Instant clock;  ///< present time; an age is `clock` minus `seen_at`
 
-  /// A sentence low in the centre. Faults stay until they are read, the rest goes after 6 s. `about`: its
-  /// subject, see Toasts::withdraw().
+  /// Shows a sentence at the bottom of the centre. Faults stay until they are read, other toasts disappear
+  /// after 6 s. `about` is the subject: see Toasts::withdraw().
   void toast(Severity severity, std::string sentence, const void* about = nullptr) const;
   /// Removes the messages about a subject that has changed.
   void withdraw(const void* about) const;
@@ -41,11 +41,11 @@ struct Frame : PageFrame {
   const Snapshot& now;
   const BenchView& bench;
 
-  /// Names this controller while another one is in front.
+  /// As PageFrame::toast(); names this controller while another controller is in front.
   void toast(Severity severity, std::string sentence, const void* about = nullptr) const;
-  /// Sends the intent. If it is refused or fails, the sentence is shown as a toast.
+  /// Sends the intent. If it is refused or fails, a toast shows the sentence.
   IntentId send(IntentBody body) const;
-  /// Sends the intent; the panel itself shows its outcome, from now.outcome_of(id).
+  /// Sends the intent. The panel shows its outcome itself, from now.outcome_of(id).
   IntentId send_and_watch(IntentBody body) const;
   void operate_bench(BenchCommand command) const;
   /// Brings the panel `tab/ID` to the front; if `widget` is given, scrolls to it and focuses it.

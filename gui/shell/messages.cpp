@@ -41,7 +41,7 @@ SeverityLook severity_look(Severity severity) {
   return {Icon::ring, Tone::ink2};
 }
 
-/// For a controller that runs several programs at once: the running ones, and the line if there is only one.
+/// For a controller that runs several programs at once: the running programs, and the line if only one runs.
 RunPlace place_of_threads(Tab& tab) {
   const auto& threads = tab.now().threads;
   const int count = std::min(tab.catalog().program.threads, max_threads);
@@ -55,19 +55,19 @@ RunPlace place_of_threads(Tab& tab) {
     ++running, last = n;
   }
   if (running == 0) return run;
-  run.who = fmt::format("{}{} {} {}", tab.catalog().program.slot_word, running > 1 ? "s" : "", numbers,
-                        running > 1 ? "are" : "is");
+  run.subject = fmt::format("{}{} {} {}", tab.catalog().program.slot_word, running > 1 ? "s" : "", numbers,
+                            running > 1 ? "are" : "is");
   if (running > 1) return run;
   run.stored_line = threads[static_cast<std::size_t>(last)].line;
-  run.line = tab.desk().texts.live_line(0, run.stored_line);
-  run.left_s = tab.desk().follower.left_s();
+  run.line = tab.desk().programs.texts.live_line(0, run.stored_line);
+  run.left_s = tab.desk().programs.follower.left_s();
   return run;
 }
 
-/// "Program 2 has stopped in error in line 19: V2=5/V1." The cause is omitted: the controller does not report
-/// it, and axes in error are named beside it.
+/// "Program 2 has stopped in error in line 19: V2=5/V1." The controller does not report the cause; axes in
+/// error are named beside the sentence.
 std::string failed_threads(Tab& tab) {
-  ProgramTexts& texts = tab.desk().texts;
+  ProgramTexts& texts = tab.desk().programs.texts;
   std::string sentence;
   const int count = std::min(tab.catalog().program.threads, max_threads);
   for (int n = 0; n < count; ++n) {
@@ -87,10 +87,10 @@ std::string failed_threads(Tab& tab) {
 RunPlace run_place(Tab& tab) {
   if (tab.catalog().program.threads > 0) return place_of_threads(tab);
   Desk& desk = tab.desk();
-  const RunFollower::Place place = desk.follower.place();
+  const RunFollower::Place place = desk.programs.follower.place();
   RunPlace run;
-  run.left_s = desk.follower.left_s();
-  if (place.slot >= 0) run.line = desk.texts.live_line(place.slot, place.command);
+  run.left_s = desk.programs.follower.left_s();
+  if (place.slot >= 0) run.line = desk.programs.texts.live_line(place.slot, place.command);
   run.pass = place.pass, run.passes = place.passes;
   return run;
 }
@@ -100,22 +100,22 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
     text.replace(at, what.size(), by);
 }
 
-std::string_view goes_on_part(const StatusSentence& sentence) {
+std::string_view motion_part(const StatusSentence& sentence) {
   const std::string_view all = sentence.text;
   return all.substr(all.size() - std::min(all.size(), sentence.goes_on));
 }
-/// The width of the items before it, with the space between them.
-std::string_view worse_part(const StatusSentence& sentence) {
+/// The text before motion_part().
+std::string_view fault_part(const StatusSentence& sentence) {
   const std::string_view all = sentence.text;
-  return all.substr(0, all.size() - goes_on_part(sentence).size());
+  return all.substr(0, all.size() - motion_part(sentence).size());
 }
 
-/// On a bus the device stands for its only axis: "02 moves to ...", not "Axis X moves to ...".
+/// On a bus the device is named instead of its only axis: "02 moves to ...", not "Axis X moves to ...".
 void name_device(StatusSentence& sentence, const Tab& tab) {
   if (!tab.bus || tab.catalog().axes.size() != 1) return;
   std::string name = tab.catalog().axes[0].description;
   if (name.empty()) return;
-  std::string worse(worse_part(sentence)), goes_on(goes_on_part(sentence));
+  std::string worse(fault_part(sentence)), goes_on(motion_part(sentence));
   for (const bool at_the_beginning : {false, true}) {
     if (at_the_beginning) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     replace_all(worse, name, tab.id());
@@ -126,20 +126,20 @@ void name_device(StatusSentence& sentence, const Tab& tab) {
 }
 
 StatusSentence sentence_alone(Console& console, Tab& tab, const BannerSubject& banner) {
-  const bool in_banner = banner.what == BannerSubject::What::unset && banner.tab == &tab;
+  const bool in_banner = banner.kind == BannerSubject::Kind::unset && banner.tab == &tab;
   const auto held = tab.jog.control();
   StatusSentence sentence = status_sentence(
       {tab.catalog(), tab.now(), tab.clock(), held, tab.jog.jogging(),
-       [&](AxisId a, Steps s) { return std::string(format_with_unit(s, tab.unit(a)).view()); },
-       [&](AxisId a, Pps v) { return std::string(format_speed(v, tab.unit(a)).view()); },
+       [&](AxisId a, Steps s) { return std::string(format_with_unit(s, tab.settings.unit(a)).view()); },
+       [&](AxisId a, Pps v) { return std::string(format_speed(v, tab.settings.unit(a)).view()); },
        [&](Instant when) { return console.time_of_day(when); }, run_place(tab), failed_threads(tab),
-       tab.unset_read || in_banner});
+       tab.view.unset_read || in_banner});
   name_device(sentence, tab);
   return sentence;
 }
 
-/// "01, 02 and 03 move.": the moving devices of the bus other than `but`; empty: none.
-std::string who_moves(const Bus& bus, const Tab* but) {
+/// "01, 02 and 03 move." Names the devices of the bus that move, except `but`; empty: none moves.
+std::string moving_devices(const Bus& bus, const Tab* but) {
   std::vector<std::string_view> ids;
   for (const Tab* member : bus.members)
     if (member != but && is_motion(worst_state(member->now(), member->clock()))) ids.push_back(member->id());
@@ -147,7 +147,8 @@ std::string who_moves(const Bus& bus, const Tab* but) {
                      : fmt::format("{} {}.", in_words(ids), ids.size() == 1 ? "moves" : "move");
 }
 
-/// "02 and 04" of a bus, or their number if there are more; empty: all motors have power.
+/// "02 and 04": the devices of a bus whose motors have no power, or their number if there are more; empty:
+/// none.
 std::string motors_without_power(const Bus& bus) {
   constexpr std::size_t most_named = 4;
   std::vector<std::string_view> ids;
@@ -158,26 +159,27 @@ std::string motors_without_power(const Bus& bus) {
                                  : in_words(ids);
 }
 
-/// For a bus: its worst state, and the other devices that move.
+/// The sentence of a bus gives its worst state, and the other devices that move.
 StatusSentence sentence_of(Console& console, Tab& tab, const BannerSubject& banner) {
   if (!tab.bus) return sentence_alone(console, tab, banner);
   Tab& worst = tab.bus->most_urgent();
-  const std::string others = who_moves(*tab.bus, &worst);
+  const std::string others = moving_devices(*tab.bus, &worst);
   const bool all_is_well =
       is_motion(worst_state(worst.now(), worst.clock())) && !needs_attention(worst.now());
   if (all_is_well && !others.empty() && !tab.jog.control())
-    return {Severity::motion, fmt::format("{} Esc stops everything.", who_moves(*tab.bus, nullptr))};
+    return {Severity::motion, fmt::format("{} Esc stops everything.", moving_devices(*tab.bus, nullptr))};
   StatusSentence sentence = sentence_alone(console, worst, banner);
   if (sentence.severity == Severity::plain && worst_state(worst.now(), worst.clock()) == State::off)
     return {Severity::plain,
             fmt::format("Motor power of {} is off. Switch it on to move.", motors_without_power(*tab.bus))};
   if (&worst != &tab && !mentions(sentence.text.view(), worst.id()))
     sentence.text = fmt::format("{}: {}", worst.id(), sentence.text.view());
-  if (!all_is_well && !others.empty()) add_what_goes_on(sentence, others);
+  if (!all_is_well && !others.empty()) add_running_words(sentence, others);
   return sentence;
 }
 
-/// Marks values in RAM that are not stored, at the right of the status line in any state. Returns its width.
+/// Draws the mark of values in RAM that are not stored, at the right of the status line in any state. Returns
+/// its width.
 float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
   const Snapshot& now = tab.now();
   if (!tab.catalog().can.store || (!now.unsaved_setup && !now.unsaved_programs)) return 0;
@@ -198,7 +200,7 @@ float draw_unsaved(Ui& ui, Console& console, Tab& tab, const Box& line) {
   return width + 16;
 }
 
-/// Draws the button that clears the error in the line, for the device and axis that it names; a stop concerns
+/// Draws the button that clears the error of the device and axis named in the line; after a stop it clears
 /// all of them. Returns its width.
 float draw_clear(Ui& ui, Tab& tab, const Box& line, float taken) {
   Tab& of = tab.bus ? tab.bus->most_urgent() : tab;
@@ -215,7 +217,7 @@ float draw_clear(Ui& ui, Tab& tab, const Box& line, float taken) {
                     whose.empty() ? "" : " ", whose)
        .out = 0;
   ButtonOptions o;
-  o.style = ButtonStyle::outlined;  // a raised one hardly stands out from this line in the light theme
+  o.style = ButtonStyle::outlined;  // a raised button is hardly visible on this line in the light theme
   o.height = 28;
   o.tip = way->help;
   const float width = button_width(ui, words, o);
@@ -229,8 +231,8 @@ bool linked(const Tab& tab) {
   return state == LinkState::good || state == LinkState::late;
 }
 
-/// The newest message at the right of the line, if no title row had room for it: at most half of the
-/// remaining width. Returns its width.
+/// Draws the newest message at the right of the line, in at most half of the remaining width, if no title row
+/// has shown it. Returns its width.
 float draw_messages_in(Ui& ui, Console& console, const Box& line, float taken) {
   Toasts& toasts = console.toasts();
   for (const auto& tab : console.tabs())
@@ -243,7 +245,7 @@ float draw_messages_in(Ui& ui, Console& console, const Box& line, float taken) {
   return width + 12;
 }
 
-/// Returns whether draw_text_in_two_lines() shows all of it.
+/// Whether draw_text_in_two_lines() shows the whole text.
 bool fits_in_two_lines(const Ui& ui, std::string_view words, float room) {
   if (text_width(ui, Face::body, words) <= room) return true;
   const char* const begin = words.data();
@@ -254,16 +256,16 @@ bool fits_in_two_lines(const Ui& ui, std::string_view words, float room) {
   return text_width(ui, Face::small, words) <= room;
 }
 
-/// Without room for all, the fault loses its last words, and the motion stays complete.
+/// If the sentence does not fit, the fault loses its last words, and the motion stays complete.
 FixedText<800> words_for(const Ui& ui, const StatusSentence& sentence, float room) {
   FixedText<800> words = sentence.text;
-  std::string_view worse = worse_part(sentence);
+  std::string_view worse = fault_part(sentence);
   if (worse.ends_with(' ')) worse.remove_suffix(1);
   while (sentence.goes_on > 0 && !worse.empty() && !fits_in_two_lines(ui, words, room)) {
     const std::size_t space = worse.rfind(' ');
     worse = worse.substr(0, space == worse.npos ? 0 : space);
-    words = worse.empty() ? std::string(goes_on_part(sentence))
-                          : fmt::format("{}\u2026 {}", worse, goes_on_part(sentence));
+    words = worse.empty() ? std::string(motion_part(sentence))
+                          : fmt::format("{}\u2026 {}", worse, motion_part(sentence));
   }
   return words;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The console's access to the rest of the program, passed by its creator; kept apart from console.h, so that
+// The console's access to the rest of the program, passed by its creator. It is not in console.h, so that
 // panels need not compile coroutines.
 #include <functional>
 #include <string>
@@ -19,9 +19,9 @@ struct Outside {
   Scheduler& scheduler;
   WireOpener open_wire;
   std::function<void()> wake;   ///< any thread: requests a frame
-  PortFinder* ports = nullptr;  ///< null: finds nothing
+  PortFinder* ports = nullptr;  ///< null: no ports are found
   DeviceFinder* devices = nullptr;
-  Worker* worker = nullptr;  ///< long jobs on programs; null: within the frame
+  Worker* worker = nullptr;  ///< for long jobs on programs; null: they run within the frame
   UserFolders folders = UserFolders::none();
   std::function<std::string(const Address&)> usb_serial;  ///< of the adapter behind an address; may be null
   DayClock day;                                           ///< time of day; 0: counts from the start

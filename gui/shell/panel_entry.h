@@ -1,6 +1,6 @@
 #pragma once
-// A part of the screen. panels/panel_list.cpp lists all panels; the console lays them out by their place and
-// never names one.
+// Describes a panel and a page of the console. panels/panel_list.cpp lists all of them. The console lays them
+// out by their place and never names a panel.
 #include <memory>
 #include <span>
 #include <string_view>
@@ -11,12 +11,12 @@
 
 namespace hw::gui {
 
-/// A page without a controller; one object.
+/// A page without a controller. There is one object for each page.
 class Page {
  public:
   virtual ~Page() = default;
   virtual void draw(PageFrame& frame) = 0;
-  /// The status line's text while the page is in front.
+  /// The text of the status line while the page is in front.
   virtual StatusSentence status(Console& console) = 0;
 };
 
@@ -24,12 +24,12 @@ enum class Place : std::uint8_t {
   top_left,     ///< positions: the top of the left column, in a narrow window the strip; never scrolls
   left,         ///< the rest of the left column; in a narrow window the first panel tab
   centre,       ///< a panel tab
-  below,        ///< below the panel tabs (the terminal); without room one more panel tab
+  below,        ///< below the panel tabs (the terminal); where it does not fit, a panel tab
   right,        ///< the right column, from the top; a rail in a medium, the last panel tab in a narrow window
-  lower_right,  ///< under those, in the remaining height; scrolls by itself, and can be folded
+  lower_right,  ///< below those, in the remaining height; scrolls separately, and can be folded
 };
 
-/// Height of the title of a panel at `lower_right` with its fold button, logical. With no more than this,
+/// Height of the title and fold button of a panel at `lower_right`, logical. With no more than this height,
 /// only the title is shown.
 inline constexpr float lower_right_title = 44;
 
@@ -40,14 +40,15 @@ struct PanelEntry {
   std::unique_ptr<Panel> (*make)();
   /// Whether the panel is shown for this controller; null: always.
   bool (*wanted)(const Tab&) = nullptr;
-  /// Logical. With less (a narrow window) it scrolls as a whole; 0: any height will do.
+  /// Least height, logical. In a lower window the whole panel scrolls; 0: any height is enough.
   float least_height = 0;
-  /// Name ending of the dropped files that this panel opens: see Desk::take_dropped. Empty: none.
+  /// File name ending of the dropped files that this panel opens: see Desk::take_dropped. Empty: it opens
+  /// none.
   std::string_view opens = {};
-  /// Logical, of a panel tab. While it is in front, the part below shrinks to its least height, unless the
-  /// user has set one; 0: does not shrink it.
+  /// Good height of a panel tab, logical. While the tab is in front, the part below shrinks to its least
+  /// height to give it, unless the user has set a height; 0: the part below does not shrink.
   float good_height = 0;
-  /// One panel for all controllers of a bus: the first one's, whichever is chosen.
+  /// All controllers of a bus share the panel of the first controller.
   bool of_bus = false;
 };
 
@@ -57,7 +58,8 @@ struct PageEntry {
   std::unique_ptr<Page> (*make)();
 };
 
-/// Lies beside the desk until it is put away, and covers neither a position nor a control that moves metal.
+/// A sheet lies beside the panels until the user closes it. It covers no position and no control that can
+/// start motion.
 class Sheet {
  public:
   virtual ~Sheet() = default;
@@ -68,7 +70,7 @@ class Sheet {
 struct PanelList {
   std::span<const PanelEntry> panels;
   std::span<const PageEntry> pages;                 ///< the first is shown when no controller is open
-  std::unique_ptr<Sheet> (*make_help)() = nullptr;  ///< null: there is none
+  std::unique_ptr<Sheet> (*make_help)() = nullptr;  ///< null: there is no help
 };
 
 }  // namespace hw::gui

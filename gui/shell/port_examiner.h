@@ -1,6 +1,6 @@
 #pragma once
-// The link doctor's interface to facts about a port itself, apart from its controller. They are examined on
-// another thread.
+// Through this interface the link doctor examines a port itself, apart from its controller. Another thread
+// does the work.
 #include <optional>
 #include <string>
 
@@ -21,9 +21,9 @@ class PortExaminer {
   virtual ~PortExaminer() = default;
   /// Examines the port; the console's wake() announces the findings. GUI thread.
   virtual void examine(const std::string& path) = 0;
-  /// Null: not examined yet.
+  /// The findings; null: the port was not examined yet.
   virtual const ExaminedPort* find(const std::string& path) = 0;
-  /// Sets the timer, then examines the port again.
+  /// Sets the latency timer, then examines the port again.
   virtual void set_adapter_timer(const std::string& path, int milliseconds) = 0;
 };
 

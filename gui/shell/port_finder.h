@@ -1,6 +1,6 @@
 #pragma once
-// The connection page's interface to the search for controllers that are plugged in. Other threads look
-// (serial ports, USB names, a harmless question at each rate).
+// Through this interface the connection page finds controllers that are plugged in. Other threads do the
+// work: they list serial ports and USB names, and ask a harmless question at each rate.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,14 +16,14 @@ class PortExaminer;
 struct FoundPort {
   enum class State : std::uint8_t {
     not_asked,  ///< listed, but not opened
-    asking,     ///< being asked now
+    asking,     ///< is being asked now
     answers,    ///< `address` opens it
-    busy,       ///< another program holds it, or it is open here
+    busy,       ///< another program has it open, or it is open here
     forbidden,  ///< permission denied
     silent,     ///< opened and asked; no reply
-    failed,     ///< could not be opened for another reason
+    failed,     ///< it could not be opened for another reason
   };
-  /// One step of a test: "Port opens", "nobody else holds it".
+  /// A step of a test, such as "Port opens".
   struct Check {
     enum class Result : std::uint8_t { good, bad, not_reached };
     Result result = Result::not_reached;
@@ -34,10 +34,11 @@ struct FoundPort {
   std::string hardware;  ///< "FTDI FT232R, A10K2LQX"
   std::string usb_serial;
   State state = State::not_asked;
-  std::string title;     ///< catalog name of the controller that answers; empty while unknown
-  std::string sentence;  ///< "answers at 9600 baud in 11 ms"; busy, forbidden, silent: why and what to do
-  std::string address;   ///< if it answers: address for Connect
-  std::vector<Check> checks;        ///< of the last test
+  std::string title;  ///< catalog name of the controller that answers; empty while unknown
+  std::string
+      sentence;  ///< "answers at 9600 baud in 11 ms"; if busy, forbidden or silent: why, and what to do
+  std::string address;              ///< if it answers: address for Connect
+  std::vector<Check> checks;        ///< steps of the last test
   std::vector<std::string> advice;  ///< if silent: what to check, in this order
 };
 
@@ -45,15 +46,17 @@ class PortFinder {
  public:
   virtual ~PortFinder() = default;
 
-  /// GUI thread. The present list; the console's wake() announces changes.
+  /// The present list. The console's wake() announces changes. GUI thread.
   virtual const std::vector<FoundPort>& ports() = 0;
-  /// Lists the ports anew, and asks each. A port that is open here is locked, and reported as busy.
+  /// Lists the ports anew and asks each of them. A port that is open here cannot be asked and is reported as
+  /// busy.
   virtual void look() = 0;
-  /// While on, newly plugged cables are found and asked. On while the connection page is open.
+  /// While on, ports that are plugged in are found and asked. The connection page turns it on while it is
+  /// open.
   virtual void watch(bool on) = 0;
-  /// Asks one port again: opens it, sends one harmless question at each rate, closes it.
+  /// Asks a port again: opens it, sends a harmless question at each rate, and closes it.
   virtual void ask(const std::string& path) = 0;
-  /// Returns whether a search or a question is under way.
+  /// Whether a search or a question is under way.
   [[nodiscard]] virtual bool busy() const = 0;
   /// For the link doctor; null: not available.
   [[nodiscard]] virtual PortExaminer* examiner() { return nullptr; }
@@ -61,7 +64,7 @@ class PortFinder {
   [[nodiscard]] virtual EmulatorServer* server() { return nullptr; }
 };
 
-/// Finds nothing: headless runs.
+/// A finder without ports, for headless runs.
 class NoPorts final : public PortFinder {
  public:
   const std::vector<FoundPort>& ports() override { return none_; }

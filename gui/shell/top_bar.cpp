@@ -18,7 +18,8 @@ namespace {
 
 void stand_at(Ui& ui, float x, float y) { ImGui::SetCursorScreenPos(ui.px(x, y)); }
 
-/// The controllers that Stop does not reach, or their number if the names do not fit; empty: it reaches all.
+/// Names the controllers that Stop does not reach, or counts them if the names do not fit; empty: it reaches
+/// all.
 std::string not_reached(const Ui& ui, const Console& console, float room_px) {
   std::string names;
   int lost = 0;
@@ -74,7 +75,7 @@ void draw_help(Ui& ui, Console& console, float x) {
   if (button(ui, "help", "?", o).clicked) console.toggle_help();
 }
 
-/// The logo opens the menu; the help is beside it if there is room.
+/// The logo opens the menu; the help is beside it if it fits.
 void draw_sign(Ui& ui, Console& console, const Layout& layout) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const bool help = layout.tier == Tier::medium;
@@ -129,7 +130,8 @@ void draw_page_tab(Ui& ui, Console& console, float x, float width, float height)
   }
 }
 
-/// One button with the controller in front, or the worst of all; its list shows every controller.
+/// Draws a button with the controller in front, or the controller in the worst state. Its list shows all
+/// controllers.
 void draw_controller_menu(Ui& ui, Console& console, const Layout& layout) {
   ControllerTab face{"Controllers", Icon::none};
   face.active = true;
@@ -229,7 +231,7 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
       *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms, {:.0f} polls/s", ms, link.polls_per_second)
            .out = 0;
     else if (layout.tier == Tier::wide && link.polls_per_second > 0)
-      *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms, asked every {:.0f} s", ms,
+      *fmt::format_to_n(second, sizeof second - 1, "{:.1f} ms, polled every {:.0f} s", ms,
                         1 / link.polls_per_second)
            .out = 0;
     else
@@ -251,7 +253,7 @@ void draw_link(Ui& ui, Console& console, const Layout& layout) {
   *fmt::format_to_n(value, sizeof value - 1, "{}, {}", words.word, second).out = 0;
   if (!tab) return show(ui, {"link/health", Kind::text, words.word, value, {}, false, {}}, r);
   std::string_view why = tab->now().link.sentence.view();
-  if (why.empty()) why = "Shows how the time of a question is spent, and how to shorten it.";
+  if (why.empty()) why = "Shows how the time of a query is spent, and how to shorten it.";
   stand_at(ui, layout.link.x, layout.link.y);
   const Touch t = touch(ui, {"link/health", Kind::button, words.word, value, {}, false, why},
                         ImVec2(r.max.x - r.min.x, r.max.y - r.min.y));

@@ -1,5 +1,5 @@
 #pragma once
-// Brand and menu, controllers, link health, STOP ALL.
+// Draws the top bar: brand and menu, controllers, link health, STOP ALL.
 #include "gui/surface/layout.h"
 
 namespace hw::gui {

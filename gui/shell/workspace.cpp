@@ -17,7 +17,7 @@
 namespace hw::gui {
 namespace {
 
-/// One controller's workspace in one frame.
+/// The workspace of a controller in one frame.
 struct Work {
   Ui& ui;
   Console& console;
@@ -28,16 +28,16 @@ struct Work {
   void draw(std::size_t index, const Box& area, bool rail = false) const {
     const PanelEntry& entry = console.list().panels[index];
     Tab& of = entry.of_bus && tab.bus ? *tab.bus->members.front() : tab;
-    auto& panel = of.panels[index];
+    auto& panel = of.panels.all[index];
     if (!panel) panel = entry.make();
     Frame frame{{ui, console, area, layout.tier, rail, of.clock()}, of, of.catalog(), of.now(), of.bench()};
-    ImGui::PushID(&of);  // the same button of another controller is a different button: standing.h
+    ImGui::PushID(&of);  // buttons of different controllers must differ: press_guard.h
     ImGui::PushID(entry.id.data(), entry.id.data() + entry.id.size());
     panel->draw(frame);
     ImGui::PopID();
     ImGui::PopID();
   }
-  /// All panels of a place, one below another.
+  /// Draws all panels of a place, one below the other.
   void draw_all(Place place, const Box& area, bool rail = false) const {
     for (std::size_t i = 0; i < console.list().panels.size(); ++i)
       if (console.list().panels[i].place == place && wanted(console.list().panels[i])) draw(i, area, rail);
@@ -105,7 +105,7 @@ void draw_panel_tabs(const Work& w, const TabItems& items, const TabItem& chosen
   ImGui::SetCursorScreenPos(
       ImVec2(ImGui::GetCursorScreenPos().x + w.ui.px(16), ImGui::GetCursorScreenPos().y));
   const int picked = panel_tabs(w.ui, {tabs.data(), items.count}, active);
-  if (picked >= 0) w.tab.centre_panel = items.items[static_cast<std::size_t>(picked)].id;
+  if (picked >= 0) w.tab.panels.in_front = items.items[static_cast<std::size_t>(picked)].id;
   ImGui::SetCursorScreenPos(ImVec2(w.ui.px(w.layout.centre.x), ImGui::GetCursorScreenPos().y));
 }
 
@@ -113,7 +113,7 @@ bool stands_in(Place side, Place place) {
   return place == side || (side == Place::right && place == Place::lower_right);
 }
 
-/// A column of a side column shown as a tab: its panels in the list from `first` up to `end`.
+/// Draws a part of a side column shown as a tab: its panels in the list from `first` up to `end`.
 void draw_tab_column(const Work& w, const char* name, Place side, const Box& area, std::size_t first,
                      std::size_t end) {
   ImGui::SetCursorScreenPos(w.ui.px(area.x, area.y));
@@ -125,7 +125,7 @@ void draw_tab_column(const Work& w, const char* name, Place side, const Box& are
   Work::end_own_part();
 }
 
-/// A side column shown as a tab. Its last panel is beside the others if there is room for both.
+/// Draws a side column as a tab. Its last panel is beside the others if both fit.
 void draw_side_tab(const Work& w, Place side, const Box& area) {
   constexpr float column_at_least = 264;
   const auto panels = w.console.list().panels;
@@ -139,7 +139,7 @@ void draw_side_tab(const Work& w, Place side, const Box& area) {
   draw_tab_column(w, "last", side, {area.x + half, area.y, area.width - half, area.height}, last, last + 1);
 }
 
-/// A panel with less than its least height is drawn at a comfortable height and scrolls.
+/// A panel that would get less than its least height is drawn higher and scrolls.
 void draw_scrolled(const Work& w, std::size_t panel, const Box& area) {
   const float comfort = std::max(320.0f, w.console.list().panels[panel].least_height);
   const float scrolled = ImGui::GetScrollY() / w.ui.scale;
@@ -175,7 +175,7 @@ BannerSubject draw_centre(const Work& w) {
     end_region();
     return {};
   }
-  const TabItem& chosen = items.chosen(w.tab.centre_panel);
+  const TabItem& chosen = items.chosen(w.tab.panels.in_front);
   const float wanted_below =
       chosen.panel >= 0 ? w.console.list().panels[static_cast<std::size_t>(chosen.panel)].good_height : 0;
   float below = below_height(centre_height, w.console.splitters, w.layout.tier, wanted_below);
@@ -230,8 +230,8 @@ void draw_left(const Work& w) {
   end_region();
 }
 
-/// Pinned panels show everything, unless the user opened the part below and there is no room for both.
-/// Returns their height, logical.
+/// Pinned panels have their full height, unless the user opened the part below and both do not fit. Returns
+/// their height, logical.
 float draw_pinned(const Work& w, const Box& box, float left, float width, float below) {
   Ui& ui = w.ui;
   const float room = std::max(1.0f, box.height - below);
@@ -243,7 +243,7 @@ float draw_pinned(const Work& w, const Box& box, float left, float width, float 
   return std::min(room, std::ceil(end / ui.scale - box.y));
 }
 
-/// The part below gets the remaining height, scrolls separately, and folds by itself if there is too little.
+/// The part below gets the remaining height and scrolls separately. It folds when it is too low.
 void draw_right_parts(const Work& w, const Box& box, float left, float width) {
   Ui& ui = w.ui;
   constexpr float open_from = 160, open_least = 280;
@@ -258,7 +258,7 @@ void draw_right_parts(const Work& w, const Box& box, float left, float width) {
   const float rest = box.height - pinned;
   const bool folded = fold == Fold::folded || (fold == Fold::automatic && rest < open_from);
   const Box area{box.x, box.y + pinned, box.width, folded ? lower_right_title : rest};
-  if (pinned >= box.height - least)  // the pinned part continues underneath
+  if (pinned >= box.height - least)  // the pinned part reaches below it
     ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(left, ui.px(area.y) - ui.hair()),
                                               ImVec2(left + width, ui.px(area.y)), ui[Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(left, ui.px(area.y)));
@@ -270,7 +270,7 @@ void draw_right_parts(const Work& w, const Box& box, float left, float width) {
 void draw_right(const Work& w, const Box& box, bool over_centre) {
   Ui& ui = w.ui;
   begin_region(ui, over_centre ? "right over" : "right", in_pixels(ui, box), Tone::panel, ImVec2(0, 0));
-  // A region that appears later than the others would be drawn under them.
+  // A region that appears later than the others is otherwise drawn under them.
   if (over_centre && ImGui::IsWindowAppearing()) bring_to_front();
   const Rect r = in_pixels(ui, box);
   ImGui::GetWindowDrawList()->AddRectFilled(r.min, ImVec2(r.min.x + ui.hair(), r.max.y),
@@ -319,7 +319,7 @@ void draw_page(Ui& ui, Console& console, const Layout& layout) {
   end_region();
 }
 
-/// Beside the left column, and beside the right one if there is one: limits stay visible.
+/// The sheet lies between the left and the right column, so that limits stay visible.
 Box place_of_sheet(const Layout& layout, bool controller) {
   constexpr float wanted = 440;
   if (controller && layout.tier == Tier::narrow) return layout.centre;

@@ -1,5 +1,5 @@
 #pragma once
-// The body of the window: three columns, or a strip and one column, or a page.
+// Draws the body of the window: three columns, or a strip and one column, or a page.
 #include "gui/surface/layout.h"
 
 namespace hw::gui {
@@ -9,11 +9,12 @@ class Console;
 class Tab;
 class Ui;
 
-/// Returns the subject of the banner that it has drawn.
+/// Draws the columns and the banner. Returns the subject of the banner.
 BannerSubject draw_workspace(Ui& ui, Console& console, const Layout& layout);
-/// Draws the help, beside the positions and motion controls. Call after the workspace: it lies over that.
+/// Draws the help beside the positions and motion controls. Call it after draw_workspace(), because the help
+/// lies over the workspace.
 void draw_sheet(Ui& ui, Console& console, const Layout& layout);
-/// Narrow: the height that the positions of this controller need, logical.
+/// The height that the positions of this controller need in a narrow window, logical.
 float strip_height(const Tab& tab);
 
 }  // namespace hw::gui

@@ -37,7 +37,7 @@ void Automation::take_input() {
   while (surface_.screen().more_input() && !over_());
 }
 
-/// Draws frames until all input is processed, and one more to show its effects.
+/// Draws frames until all input is handled, and one more frame to show the effects.
 void Automation::settle() {
   take_input();
   frame();
@@ -55,17 +55,18 @@ Result<> Automation::usable(std::string_view id) {
   return {};
 }
 
-/// A button that can start motion accepts a press only after it has stood still for a while: see standing.h.
-Result<> Automation::wait_until_it_stands(std::string_view id) {
+/// A button that can start motion accepts a press only after it has been in its place for a while: see
+/// press_guard.h.
+Result<> Automation::wait_until_settled(std::string_view id) {
   constexpr int frames_at_most = 90;
   for (int n = 0; n < frames_at_most && !over_(); ++n) {
     if (Result<> ok = usable(id); !ok) return ok;
     const Widget* w = surface_.screen().registry().find(id);
-    if (!w->moving || now_s_() - w->stands_since_s >= must_stand_s) return {};
+    if (!w->moving || now_s_() - w->settled_since_s >= settle_time_s) return {};
     frame();
   }
   const Widget* w = surface_.screen().registry().find(id);
-  if (w && w->layer < surface_.screen().registry().top_layer()) return {};  // covered: the press reports it
+  if (w && w->layer < surface_.screen().registry().top_layer()) return {};  // covered: press() reports it
   return refuse(quoted(id) + " is moving on the screen, so a press on it would not be taken.");
 }
 
@@ -74,7 +75,7 @@ Result<const Widget*> Automation::reach(std::string_view id) {
   Registry& registry = surface_.screen().registry();
   const Widget* drawn = registry.find(id);
   if (!drawn || !drawn->enabled)
-    frame();  // the last frame may be older than the event the script has waited for
+    frame();  // the last frame may be older than the event that the script has waited for
   if (Result<> ok = usable(id); !ok) return fail(ok.error());
   if (!registry.find(id)->in_view()) {
     registry.scroll_to(id);
@@ -84,7 +85,7 @@ Result<const Widget*> Automation::reach(std::string_view id) {
       return refuse(quoted(id) + " is out of view and cannot be scrolled into it.",
                     "Make the window larger.");
   }
-  if (Result<> ok = wait_until_it_stands(id); !ok) return fail(ok.error());
+  if (Result<> ok = wait_until_settled(id); !ok) return fail(ok.error());
   // Moves the pointer again if an earlier action has moved the widget away.
   constexpr int moves_at_most = 8;
   for (int n = 0; n < moves_at_most; ++n) {
@@ -95,10 +96,10 @@ Result<const Widget*> Automation::reach(std::string_view id) {
     if (now.x == at.x && now.y == at.y) break;
   }
   if (const Widget* cut = registry.find(id); !cut->hovered && !cut->wholly_in_view()) {
-    // Half of it is out of view, and a neighbour of the view (a splitter) covers the rest.
+    // Half of the widget is out of view, and a splitter beside the view covers the rest.
     registry.scroll_to(id);
     frame(3);
-    if (Result<> ok = wait_until_it_stands(id); !ok) return fail(ok.error());
+    if (Result<> ok = wait_until_settled(id); !ok) return fail(ok.error());
     point_at(registry.find(id)->rect.centre());
     if (Result<> ok = usable(id); !ok) return fail(ok.error());
   }

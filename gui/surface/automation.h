@@ -1,7 +1,7 @@
 #pragma once
-// User input for scripts and tests: finds a widget by its path and presses, types and reads as a user would,
-// through the same input queue. What a user could not do (widget unknown, disabled, covered, out of reach)
-// fails with a sentence.
+// User input for scripts and tests. Finds a widget by its id, then presses, types and reads as a user would,
+// through the same input queue. An action that a user could not do (the widget is unknown, disabled, covered
+// or out of reach) fails with a sentence.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -14,30 +14,31 @@ namespace hw::gui {
 
 class Automation {
  public:
-  /// `run_frame` advances the clock by one frame and draws it; `now_s` reads that clock; once `over` returns
-  /// true, no further frame is drawn.
+  /// `run_frame` advances the clock by one frame and draws it. `now_s` reads that clock. No further frame is
+  /// drawn once `over` returns true.
   Automation(
       Surface& surface, std::function<void()> run_frame, std::function<double()> now_s,
       std::function<bool()> over = [] { return false; });
 
-  // A press on a button that can start motion waits until it has stood still long enough: standing.h.
+  // A press on a button that can start motion waits until the button accepts it: see press_guard.h.
 
   Result<> click(std::string_view id);
   /// Presses the mouse button on the widget and keeps it down until release().
   Result<> press(std::string_view id);
   Result<> release(std::string_view id);
-  /// Carries the first widget onto another one that is in view: onto its middle, or this share of its height.
+  /// Drags the first widget onto another widget that is in view: onto its middle, or this share of its
+  /// height.
   Result<> drag(std::string_view id, std::string_view onto, float share = 0.5f);
   /// Replaces the content of a field; '\n' is Enter. In an editor: types at the end of the text.
   Result<> type(std::string_view id, std::string_view text);
-  /// "Escape", "Ctrl+Enter", "F5", "Left", "?", "a": down and up.
+  /// Presses and releases "Escape", "Ctrl+Enter", "F5", "Left", "?", "a".
   Result<> key(std::string_view chord);
   /// Only the press or the release, for holding a jog key.
   Result<> key_down(std::string_view chord);
   Result<> key_up(std::string_view chord);
-  // Reading the screen draws a frame first, so the result is never out of date.
+  // These functions draw a frame first, so that the result is never out of date.
 
-  /// The shown or held value, plain ASCII.
+  /// The value that the widget shows, as plain ASCII.
   Result<std::string> value(std::string_view id);
   bool exists(std::string_view id);
 
@@ -52,13 +53,13 @@ class Automation {
   Result<> screenshot(const std::string& path);
   Result<> window(int width, int height, float scale = 1);
   Result<> theme(std::string_view name);
-  /// The window loses the keyboard, as when another window is clicked.
+  /// Takes the keyboard from the window, as a click on another window does.
   void lose_focus();
 
  private:
   Result<const Widget*> reach(std::string_view id);
   Result<> usable(std::string_view id);
-  Result<> wait_until_it_stands(std::string_view id);
+  Result<> wait_until_settled(std::string_view id);
   void point_at(ImVec2 at);
   void push_button(bool down);
   void push_text(std::string_view text);
@@ -73,7 +74,7 @@ class Automation {
   std::string pressed_;
 };
 
-/// GLFW key and modifiers of "Ctrl+Shift+Tab"; a fault when there is no such key.
+/// The GLFW key and modifiers of "Ctrl+Shift+Tab"; a fault when there is no such key.
 struct Chord {
   int key = 0;
   bool ctrl = false, shift = false, alt = false;

@@ -20,8 +20,8 @@ int on_failed(void*, void*) {
   return 0;
 }
 
-/// Xlib functions, present in the process once GLFW has opened an X window. Xlib's headers are not needed to
-/// build.
+/// Finds Xlib functions in the process, where they are once GLFW has opened an X window. So building does not
+/// need Xlib's headers.
 template <class Handler>
 void set_handler(const char* setter, Handler handler) {
   using Setter = Handler (*)(Handler);

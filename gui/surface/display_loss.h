@@ -1,14 +1,14 @@
 #pragma once
-// X terminates a program at once when its display goes away (a broken ssh -X, a server that dies) and when
-// one of its requests fails. A held jog would continue: it is ended first.
+// X terminates a program at once when the display is lost (ssh -X breaks, the server ends) or when a request
+// fails. A held jog would then continue, so it is ended first.
 #include <functional>
 
 namespace hw::gui {
 
-/// Create it after the window was opened; without an X display it does nothing. One at a time. Both functions
-/// are called on the main thread, inside whatever X call it just made, and never after the guard was
-/// destroyed. `lost`: nothing may be drawn or requested from the display any more; the program ends when the
-/// function returns. `failed`: a request failed, and the display is still there.
+/// Create the guard after the window was opened, one at a time; without an X display it does nothing. Both
+/// functions are called on the main thread, inside an X call, and never after the guard was destroyed.
+/// `lost`: the display is gone. The function must not draw, or request anything from the display; the program
+/// ends when it returns. `failed`: a request failed, but the display is still there.
 class DisplayGuard {
  public:
   DisplayGuard(std::function<void()> lost, std::function<void()> failed);

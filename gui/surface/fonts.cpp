@@ -58,8 +58,8 @@ constexpr Spec specs[] = {
 };
 static_assert(std::size(specs) == static_cast<std::size_t>(Face::count));
 
-// Without the figures: these are merged from the same file in cells of equal width. (Thin space, dashes,
-// ellipsis, minus, comparison, single angle quotes: the characters of the console's sentences.)
+// The characters of the console's sentences (thin space, dashes, ellipsis, minus, comparison, single angle
+// quotes) without the figures, which are merged from the same file in cells of equal width.
 constexpr ImWchar text_but_figures[] = {0x20,   0x2F,   0x3A,   0x17F,  0x2009, 0x2009,
                                         0x2013, 0x2013, 0x2026, 0x2026, 0x2039, 0x203A,
                                         0x2212, 0x2212, 0x2264, 0x2265, 0};

@@ -1,6 +1,6 @@
 #pragma once
-// The typefaces: Inter for text, JetBrains Mono for wire text. One atlas per scale, built from fonts inside
-// the binary. Figures of every Inter face are tabular.
+// The typefaces: Inter for text, JetBrains Mono for wire text. There is one atlas for each scale, built from
+// fonts inside the binary. All Inter faces have tabular figures.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -38,8 +38,8 @@ FaceSize size_of(Face face);
 class Fonts {
  public:
   Fonts();
-  /// Builds the atlas for `scale` (physical over logical pixels). Must not run while an ImGui frame is open.
-  /// Needs no ImGui context, so that it can run while the window opens.
+  /// Builds the atlas for `scale` (physical over logical pixels). It must not run during an ImGui frame. It
+  /// needs no ImGui context, so it can run while the window opens.
   void build(float scale);
   [[nodiscard]] ImFont* operator[](Face face) const { return fonts_[static_cast<std::size_t>(face)]; }
   [[nodiscard]] float scale() const { return scale_; }

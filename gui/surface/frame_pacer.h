@@ -1,7 +1,8 @@
 #pragma once
-// Decides when the window draws: after input, after news from a controller, and when a displayed time is due;
-// at most 60 times a second, and never at rest. ImGui settles a frame late (a longer list is scrolled to its
-// end in the next frame, a new dialog is hidden in its first), so nothing is drawn only once.
+// Decides when the window draws: after input, after news from a controller, and when a displayed time is due,
+// at most 60 times a second. At rest it draws nothing. Each change is drawn in more than one frame, because
+// ImGui needs a second one: it scrolls a longer list to its end in the next frame, and hides a new dialog in
+// its first.
 #include <algorithm>
 #include <atomic>
 
@@ -12,7 +13,7 @@ class FramePacer {
   static constexpr double frame_seconds = 1.0 / 60;
   static constexpr int frames_after_news = 2, frames_after_input = 3;
 
-  /// The wishes for the next frame: see Screen.
+  /// The needs of the next frame: see Screen.
   struct Needs {
     bool more_input = false;
     double wake_in_s = 1e9;  ///< after the last frame
@@ -20,9 +21,9 @@ class FramePacer {
 
   /// Window thread.
   void touched(int frames) { wanted_ = std::max(wanted_, frames); }
-  /// Any thread, after publishing the news. True: the window may be asleep and must be woken.
+  /// Any thread, after publishing the news. Returns true when the window may be asleep and must be woken.
   [[nodiscard]] bool news() { return !news_.exchange(true); }
-  /// Window thread: the frame takes everything published so far; later news request another frame.
+  /// Window thread. The frame shows everything published so far; later news requests another frame.
   void begin_frame(double now_s) {
     if (news_.exchange(false)) touched(frames_after_news);
     wanted_ = std::max(0, wanted_ - 1);

@@ -32,8 +32,8 @@ void GlTextures::bring(const std::shared_ptr<const Picture>& picture) {
   known.picture = picture;
   glGenTextures(1, &known.name);
   glBindTexture(GL_TEXTURE_2D, known.name);
-  // With software GL, blending four pixels for each would cost a frame; a scaled picture is shown for 0.1 s
-  // only.
+  // With software GL, bilinear filtering would take as long as a frame, and a scaled picture is shown for 0.1
+  // s only.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -43,7 +43,7 @@ void GlTextures::bring(const std::shared_ptr<const Picture>& picture) {
                picture->pixels.data());
 }
 
-// Pictures of the latest frame live as long as Pictures holds them.
+// Drops the textures of pictures that no longer exist. Pictures keeps those of the latest frame.
 void GlTextures::drop_those_gone() {
   for (auto it = known_.begin(); it != known_.end();) {
     if (!it->second.picture.expired()) {

@@ -1,6 +1,7 @@
 #pragma once
-// Draws the draw lists of a frame with GL: the font atlas, and pictures, which are uploaded when first seen.
-// One object per GL context, which is current whenever the object is used.
+// Draws the draw lists of a frame with GL. Owns the textures of the font atlas and of the pictures, which are
+// uploaded when first drawn. There is one object for each GL context, which must be current when the object
+// is used.
 #include <map>
 #include <memory>
 #include <utility>
@@ -14,10 +15,10 @@ namespace hw::gui {
 
 class GlTextures {
  public:
-  /// Draws through ImGui's GL3 backend. The draw lists are restored afterwards, except for the atlas:
-  /// commands with an older one get the name of the present one.
+  /// Draws through ImGui's GL3 backend. The draw lists are restored afterwards, except that commands with an
+  /// older atlas keep the name of the present atlas.
   void render(ImDrawData& data, const Pictures& pictures);
-  void forget();  ///< the context is about to be destroyed
+  void forget();  ///< call before the context is destroyed
 
  private:
   struct Known {

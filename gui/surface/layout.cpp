@@ -12,21 +12,21 @@ Tier tier_of(float width, float height) {
   return Tier::narrow;
 }
 
-// From right to left: parts that must never disappear get their place first.
+// Places the parts from right to left, those that must never disappear first.
 void lay_out_top(Layout& l, const LayoutInput& w) {
   const float height = 56, stop = l.tier == Tier::wide ? 200.0f : 160.0f;
-  // Without room only the logo, which opens the menu, and the help beside it; then the logo alone.
+  // A medium window has only the logo, which opens the menu, and the help; a narrow window only the logo.
   const float brand = l.tier == Tier::wide ? 304.0f : l.tier == Tier::medium ? 88.0f : 56.0f;
   l.brand = {0, 0, brand, height};
   l.stop = {w.width - stop, 0, stop, height};
-  // Without room the status line shows the link.
+  // Where the link does not fit, the status line shows it.
   const float link_wanted = l.tier == Tier::wide     ? 184.0f
                             : l.tier == Tier::medium ? 128.0f
                             : w.width < 560          ? 0.0f
                                                      : 104.0f;
   l.link = {l.stop.x - link_wanted, 0, link_wanted, height};
-  // Tabs become narrower before they become a menu: 120 holds twelve letters, and the state as a shape and a
-  // word.
+  // Tabs become narrower before they become a menu. A width of 120 holds twelve letters, and the state as a
+  // shape and a word.
   const float tab_wanted = l.tier == Tier::wide ? 176.0f : 160.0f, tab_least = 120;
   const float room = l.link.x - brand - 48;
   const float share = std::floor(room / static_cast<float>(std::max(w.controllers, 1)));
@@ -54,7 +54,7 @@ void lay_out_columns(Layout& l, const LayoutInput& w, float top, float bottom) {
 }
 
 void lay_out_strip(Layout& l, const LayoutInput& w, float top, float bottom) {
-  constexpr float centre_at_least = 84;  // in windows below the design's smallest, positions come first
+  constexpr float centre_at_least = 84;  // in windows smaller than the design allows, positions come first
   const float strip = std::min(w.strip_height, std::max((bottom - top) / 2, bottom - top - centre_at_least));
   l.left = {0, top, w.width, strip};
   l.centre = {0, top + strip, w.width, bottom - top - strip};

@@ -1,13 +1,13 @@
 #pragma once
-// The place of everything, from the window size alone. Pure: logical pixels in, rectangles out.
+// Places all parts of the window, from the window size alone. Pure; all lengths are logical pixels.
 #include <cstddef>
 #include <cstdint>
 
 namespace hw::gui {
 
-/// By logical window size. What collapses, in the order of the look: captions, right column to a rail,
-/// rehearsal to a line, steps, terminal, tabs to a menu, left column to a strip. STOP ALL, positions, limit
-/// lamps and the status line never do.
+/// By logical window size. In a smaller window these parts collapse, in this order: captions, the right
+/// column to a rail, the rehearsal to a line, steps, the terminal, the tabs to a menu, the left column to a
+/// strip. STOP ALL, positions, limit lamps and the status line never collapse.
 enum class Tier : std::uint8_t { wide, medium, narrow };
 
 /// Logical pixels.
@@ -18,7 +18,7 @@ struct Box {
   [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
 };
 
-/// Narrow: two axes a row in the strip of positions; of more than four each has one line only.
+/// Narrow: the strip of positions shows two axes in a row; more than four axes have one line each.
 constexpr float strip_row_height(std::size_t axes) { return axes > 4 ? 40 : 64; }
 
 /// Sizes dragged by the user; a double click restores them. Kept between runs.
@@ -29,13 +29,13 @@ struct Splitters {
 
 struct Layout {
   Tier tier = Tier::wide;
-  Box brand, tabs, add, link, stop;  ///< of the top bar; `tabs` shrinks first
+  Box brand, tabs, add, link, stop;  ///< parts of the top bar; `tabs` shrinks first
   Box left, centre, right, status;   ///< narrow: left is the strip of positions, right is empty
   float tab_width = 176;
   bool controller_menu = false;  ///< one menu instead of tabs
   bool right_is_rail = false;
   Box unfolded;                  ///< the right column beside its rail while it is open
-  bool unfolded_covers = false;  ///< it lies over the centre, which has no room to give
+  bool unfolded_covers = false;  ///< it lies over the centre, which is too narrow to shrink
 };
 
 struct LayoutInput {
@@ -48,9 +48,9 @@ struct LayoutInput {
 
 Layout lay_out(const LayoutInput& input);
 
-/// Height of the lower part in a centre of that height, at least three rows of traffic; 0: no room, it
-/// becomes a tab. `wanted`: of the panel above it, see PanelEntry::good_height. A banner takes rows from the
-/// part: nothing above it may shift when one appears.
+/// The height of the lower part in a centre of this height: at least three rows of traffic. 0: it does not
+/// fit and becomes a tab. `wanted` is the good height of the panel above it: see PanelEntry::good_height. A
+/// banner takes its rows from the lower part, so that nothing above moves when it appears.
 float below_height(float centre_height, const Splitters& splitters, Tier tier, float wanted = 0);
 
 }  // namespace hw::gui

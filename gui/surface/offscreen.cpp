@@ -56,7 +56,7 @@ Result<> write_png(const std::string& path, std::span<const std::uint32_t> pixel
   for (const std::uint32_t p : pixels)
     for (int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT})
       rgb.push_back(static_cast<unsigned char>(p >> shift));
-  // Not by its own file output, which does not notice a full disk.
+  // The library's own file output does not notice a full disk.
   std::string png;
   const auto take = [](void* to, void* bytes, int size) {
     static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));

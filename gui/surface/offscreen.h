@@ -1,5 +1,5 @@
 #pragma once
-// The console without a display: the same frames, layout and input, drawn by the software rasteriser, and
+// The console without a display. Frames, layout and input are the same; the software rasteriser draws a frame
 // only when a picture is requested.
 #include <cstdint>
 #include <span>
@@ -23,7 +23,7 @@ class Offscreen : public Surface {
   void frame(double now_s, const Draw& draw) override;
   Result<> screenshot(const std::string& path) override;
 
-  /// Renders the last frame and returns its pixels, rows from the top.
+  /// Renders the last frame and returns its pixels, rows from the top. Valid until the next call.
   std::span<const std::uint32_t> render();
   [[nodiscard]] ImU32 pixel(int x, int y) const;
   [[nodiscard]] int width_px() const { return static_cast<int>(size_px_.x); }

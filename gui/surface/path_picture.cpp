@@ -14,7 +14,7 @@ using drawing::Point;
 using drawing::Point3;
 using drawing::ToolPath;
 
-/// How much of each pixel the lines cover, of 255: overlapping lines cover no more than one.
+/// The coverage of each pixel by lines, up to 255. Overlapping lines do not add up.
 class Coverage {
  public:
   Coverage(int width, int height)
@@ -25,14 +25,15 @@ class Coverage {
     half_ = width / 2, dash_ = dash, period_ = dash + dash_gap;
     nothing_ = half_ + 0.5f;
   }
-  /// Round ends, soft edges. `walked`: length of the path before it, for the dashes, in pixels.
+  /// Adds a line with round ends and soft edges. `walked`: length of the path before it in pixels, for the
+  /// dashes.
   void line(Point a, Point b, double walked);
   void line_without_dashes(Point a, Point b) {
     const float period = std::exchange(period_, 0.0f);
     line(a, b, 0);
     period_ = period;
   }
-  /// The middle of the part inside the picture; none: no part is.
+  /// The middle of the part inside the picture; nullopt: the line is outside.
   [[nodiscard]] std::optional<Point> middle(Point a, Point b) const {
     double cut = 0;
     if (!clip(a, b, cut)) return std::nullopt;
@@ -41,7 +42,7 @@ class Coverage {
   [[nodiscard]] const std::vector<std::uint8_t>& values() const { return of_; }
 
  private:
-  /// From a pixel's centre, in single precision: the line is within the picture.
+  /// A line relative to a pixel's centre. Single precision is enough inside the picture.
   struct Line {
     float x, y, unit_x, unit_y, length, walked;
   };
@@ -68,7 +69,7 @@ class Coverage {
   std::vector<std::uint8_t> of_;
 };
 
-/// Clips to the picture and a margin (Liang and Barsky): a line that touches it may be far longer.
+/// Clips a line, which may be far longer than the picture, to the picture and a margin (Liang and Barsky).
 bool Coverage::clip(Point& a, Point& b, double& cut) const {
   const double edge = half_ + 1, dx = b.x - a.x, dy = b.y - a.y;
   double enter = 0, leave = 1;
@@ -101,7 +102,7 @@ void Coverage::line(Point a, Point b, double walked) {
                length > 0 ? single(dy / length) : 0,
                single(length),
                period_ > 0 ? single(std::fmod(walked + cut, static_cast<double>(period_))) : 0};
-  // Steps along the longer of its two directions, and across by the line's width there.
+  // Steps along the longer direction of the line, and across it over its width.
   const bool flat = std::fabs(dx) >= std::fabs(dy);
   const double slope = flat ? (dx == 0 ? 0 : dy / dx) : dx / dy;
   const double along = (flat ? a.x : a.y) - 0.5, side = (flat ? a.y : a.x) - 0.5;
@@ -124,7 +125,7 @@ class Stroke {
  public:
   Stroke(const PathView& view, Coverage& coverage, double arrow_every, double arrow)
       : view_(view), coverage_(coverage), arrow_every_(arrow_every), arrow_(arrow) {}
-  /// `points`: of the path; a run that begins where the previous one ended continues its stroke.
+  /// `points` are those of the path. A run that begins where the previous run ended continues its stroke.
   void run(const std::vector<Point3>& points, const ToolPath::Run& run) {
     constexpr double apart = 0.35;
     if (run.first != end_) {
@@ -164,10 +165,10 @@ class Stroke {
   double arrow_every_, arrow_, since_arrow_ = 0;
   Point from_, latest_;
   double walked_ = 0;
-  std::size_t end_ = std::numeric_limits<std::size_t>::max();  ///< index of `latest_`; of none yet
+  std::size_t end_ = std::numeric_limits<std::size_t>::max();  ///< index of `latest_`; max: none yet
 };
 
-/// Straight alpha over the present pixel, which may be transparent too.
+/// Blends with straight alpha over a pixel, which may be transparent itself.
 void lay_over(std::uint32_t& there, ImU32 colour, unsigned coverage) {
   const unsigned above = (colour >> IM_COL32_A_SHIFT & 255u) * coverage / 255,
                  below = there >> IM_COL32_A_SHIFT & 255u;

@@ -5,7 +5,7 @@
 namespace hw::gui {
 
 ImTextureID Pictures::show(std::shared_ptr<const Picture> picture) {
-  // ImGui only passes it on: nothing writes through it.
+  // ImGui only passes the pointer on; nothing writes through it.
   const ImTextureID id = const_cast<Picture*>(picture.get());
   if (!find(id)) shown_.push_back(std::move(picture));
   return id;

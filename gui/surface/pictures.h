@@ -1,6 +1,6 @@
 #pragma once
-// Pictures among ImGui's drawing: pixels made elsewhere, shown by GL and by the software rasteriser alike. A
-// picture never changes; a new content is a new picture.
+// Pictures in ImGui's draw lists. Both GL and the software rasteriser can draw them. A picture never changes:
+// new content needs a new picture.
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -19,7 +19,7 @@ class Pictures {
  public:
   /// Adds a picture to this frame; for ImDrawList::AddImage.
   ImTextureID show(std::shared_ptr<const Picture> picture);
-  /// Null: not a picture of this frame (but the font atlas).
+  /// Returns null when the id is not a picture of this frame, as for the font atlas.
   [[nodiscard]] const Picture* find(ImTextureID id) const;
   [[nodiscard]] const std::vector<std::shared_ptr<const Picture>>& shown() const { return shown_; }
   void begin_frame() { shown_.clear(); }

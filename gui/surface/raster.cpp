@@ -10,7 +10,7 @@ namespace {
 unsigned divide_255(unsigned v) { return (v + 128 + ((v + 128) >> 8)) >> 8; }
 unsigned channel(ImU32 colour, int shift) { return (colour >> shift) & 255u; }
 
-/// Straight alpha over an opaque ground, as glBlendFunc(SRC_ALPHA, ONE_MINUS_SRC_ALPHA).
+/// Blends with straight alpha over an opaque ground, as glBlendFunc(SRC_ALPHA, ONE_MINUS_SRC_ALPHA) does.
 void blend(std::uint32_t& ground, ImU32 colour, unsigned alpha) {
   if (alpha == 0) return;
   if (alpha == 255) {
@@ -23,7 +23,7 @@ void blend(std::uint32_t& ground, ImU32 colour, unsigned alpha) {
   ground = out;
 }
 
-/// The picture's pixel at that place, as GL samples it (gui/surface/gl_textures.cpp).
+/// Blends the pixel of the picture at that place, sampled as GL does (gui/surface/gl_textures.cpp).
 void blend_sample(std::uint32_t& ground, const Picture& picture, float u, float v) {
   const int x = std::clamp(static_cast<int>(u * static_cast<float>(picture.width)), 0, picture.width - 1);
   const int y = std::clamp(static_cast<int>(v * static_cast<float>(picture.height)), 0, picture.height - 1);
@@ -32,8 +32,8 @@ void blend_sample(std::uint32_t& ground, const Picture& picture, float u, float 
   blend(ground, there, channel(there, IM_COL32_A_SHIFT));
 }
 
-/// First pixel whose centre is at or right of (below) `v`. The same for both neighbours of an edge, so that
-/// triangles that share it leave no gap and draw no pixel twice.
+/// The first pixel whose centre is at or right of (below) `v`. Triangles that share an edge get the same
+/// pixel, so they leave no gap and draw no pixel twice.
 int first_pixel(float v) { return static_cast<int>(std::ceil(v - 0.5f)); }
 
 bool same_uv(const ImDrawVert& a, const ImDrawVert& b) { return a.uv.x == b.uv.x && a.uv.y == b.uv.y; }
@@ -88,7 +88,7 @@ void Raster::draw_command(const ImDrawList& list, const ImDrawCmd& command, cons
   const ImDrawVert* vertex = list.VtxBuffer.Data + command.VtxOffset;
   for (unsigned i = 0; i + 2 < command.ElemCount;) {
     const ImDrawVert &a = vertex[index[i]], &b = vertex[index[i + 1]], &c = vertex[index[i + 2]];
-    // ImGui writes a rectangle as (0 1 2) (0 2 3); rectangles are most of a frame.
+    // ImGui writes a rectangle as (0 1 2) (0 2 3). Most of a frame are rectangles.
     const bool quad = i + 5 < command.ElemCount && index[i + 3] == index[i] && index[i + 4] == index[i + 2];
     if (quad && draw_as_rect(&a, &b, &c, &vertex[index[i + 5]], clip)) {
       i += 6;
@@ -99,7 +99,7 @@ void Raster::draw_command(const ImDrawList& list, const ImDrawCmd& command, cons
   }
 }
 
-/// A picture is never rotated: ImDrawList::AddImage writes it as (0 1 2) (0 2 3).
+/// A picture is never rotated; ImDrawList::AddImage writes it as (0 1 2) (0 2 3).
 void Raster::draw_picture(const Picture& picture, const ImDrawList& list, const ImDrawCmd& command,
                           const Clip& clip) {
   const ImDrawIdx* index = list.IdxBuffer.Data + command.IdxOffset;
@@ -149,7 +149,7 @@ void Raster::fill_rect(const Clip& r, ImU32 colour) {
 }
 
 unsigned Raster::sample(float u, float v) const {
-  // Bilinear between texel centres, clamped at the border; weights of 8 bits as GPUs use.
+  // Bilinear between texel centres, clamped at the border, with weights of 8 bits as in GPUs.
   const float x = u * static_cast<float>(texture_.width) - 0.5f,
               y = v * static_cast<float>(texture_.height) - 0.5f;
   const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));

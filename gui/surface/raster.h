@@ -1,7 +1,7 @@
 #pragma once
-// Draws ImGui's draw lists into memory without a GPU: the same triangles as in GL, with clip rectangles,
-// interpolated colours, the font atlas filtered as in GL, and straight alpha blending. The pixels are always
-// the same.
+// Draws ImGui's draw lists into memory without a GPU. Triangles, clip rectangles, interpolated colours,
+// filtering of the font atlas and alpha blending are those of GL. The same lists give the same pixels on
+// every computer.
 #include <cstdint>
 #include <span>
 #include <vector>

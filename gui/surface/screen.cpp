@@ -55,12 +55,12 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   focus_.begin_frame(registry_, {now_s, input_.key_moved_at_s()}, typing_, tab_taken_);
   registry_.begin_frame();
   pictures_.begin_frame();
-  Ui ui(*theme_, fonts_, registry_, focus_, standing_, keyboard_, gamepad_, input_, pictures_, now_s,
+  Ui ui(*theme_, fonts_, registry_, focus_, press_guard_, keyboard_, gamepad_, input_, pictures_, now_s,
         size_px);
   draw(ui);
   ImGui::Render();
   registry_.end_frame();
-  standing_.end_frame();
+  press_guard_.end_frame();
   const ImGuiContext& g = *context_;
   typing_ = ui.typing() || (g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID);
   focus_.end_frame(typing_);
@@ -68,7 +68,7 @@ void Screen::frame(double now_s, ImVec2 size_px, const Draw& draw) {
   const bool covered = registry_.top_layer() > 0;
   keyboard_.set_typing(typing_ || ui.takes_arrows() || covered);
   keyboard_.set_covered(covered);
-  if (keyboard_.jogging()) ui.wake_in(1.0 / 30);  // a hold sends keep-alives: keep drawing frames
+  if (keyboard_.jogging()) ui.wake_in(1.0 / 30);  // a hold sends keep-alives in each frame
   wake_in_s_ = input_.empty() && !focus_.entering() ? ui.wake_in_s() : 0;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// One ImGui context with its theme, fonts, input and registry, shared by the window and the offscreen
-// surface. The same frame runs in both; only its display differs.
+// An ImGui context with its theme, fonts, input and registry. The window and the offscreen surface both draw
+// their frames through it; they differ only in how they show them.
 #include <functional>
 #include <string>
 
@@ -15,7 +15,7 @@ using Draw = std::function<void(Ui&)>;
 
 class Screen {
  public:
-  /// `fonts` must be built already (possible while the window opens).
+  /// `fonts` must be built already.
   Screen(Fonts fonts, bool dark);
   ~Screen();
   Screen(const Screen&) = delete;
@@ -27,14 +27,14 @@ class Screen {
   [[nodiscard]] bool dark() const { return theme_->dark; }
   [[nodiscard]] float scale() const { return fonts_.scale(); }
 
-  /// Draws one frame at `now_s`. ImGui's result is in draw_data() until the next frame.
+  /// Draws one frame at `now_s`. Its draw lists are in draw_data() until the next frame.
   void frame(double now_s, ImVec2 size_px, const Draw& draw);
-  /// Selects this screen: several may live in one process (tests).
+  /// Selects this screen; tests have several in one process.
   void make_current() const { ImGui::SetCurrentContext(context_); }
   [[nodiscard]] ImDrawData* draw_data() const;
   /// Input is waiting for a frame of its own.
   [[nodiscard]] bool more_input() const { return !input_.empty(); }
-  /// Seconds after the last frame at which another is wanted even if nothing happens.
+  /// Seconds after the last frame at which another frame is due even if nothing happens.
   [[nodiscard]] double wake_in_s() const { return wake_in_s_; }
   /// Counts atlas builds: a texture of an older generation is out of date.
   [[nodiscard]] int atlas_generation() const { return atlas_generation_; }
@@ -44,7 +44,7 @@ class Screen {
   Gamepad& gamepad() { return gamepad_; }
   Registry& registry() { return registry_; }
   Focus& focus() { return focus_; }
-  /// Of the frame in draw_data().
+  /// The pictures of the frame in draw_data().
   [[nodiscard]] const Pictures& pictures() const { return pictures_; }
   const Theme& theme() const { return *theme_; }
 
@@ -59,7 +59,7 @@ class Screen {
   Gamepad gamepad_{keyboard_};
   Registry registry_;
   Focus focus_;
-  Standing standing_;
+  PressGuard press_guard_;
   Pictures pictures_;
   float wanted_scale_;
   bool style_old_ = true, typing_ = false;
@@ -68,7 +68,7 @@ class Screen {
   double last_s_ = -1, wake_in_s_ = 1e9;
 };
 
-/// Where frames are shown: a window or memory.
+/// Shows frames: in a window or in memory.
 class Surface {
  public:
   virtual ~Surface() = default;
@@ -77,7 +77,7 @@ class Surface {
   virtual void resize(int width, int height, float scale) = 0;
   /// Draws one frame and shows it.
   virtual void frame(double now_s, const Draw& draw) = 0;
-  /// The last frame as a PNG file.
+  /// Writes the last frame to a PNG file.
   virtual Result<> screenshot(const std::string& path) = 0;
 };
 

@@ -53,10 +53,10 @@ void apply(const Theme& theme, float scale, ImGuiStyle& style) {
   style.CellPadding = ImVec2(4, 4);
   style.ScrollbarSize = 12;
   style.ScaleAllSizes(scale);
-  style.WindowMinSize = ImVec2(1, 1);  // not scaled: ImGui wants a pixel
+  style.WindowMinSize = ImVec2(1, 1);  // not scaled: ImGui needs one pixel
   style.FrameBorderSize = style.PopupBorderSize = std::max(1.0f, std::floor(scale));
   style.WindowBorderSize = style.ChildBorderSize = 0;
-  style.DisabledAlpha = 1;  // disabled is drawn by tokens, not by fading
+  style.DisabledAlpha = 1;  // disabled widgets have tokens of their own
   const auto set = [&](ImGuiCol which, Tone tone) {
     style.Colors[which] = ImGui::ColorConvertU32ToFloat4(theme[tone]);
   };

@@ -1,6 +1,6 @@
 #pragma once
-// Colours as tokens with a meaning, in a dark and a light set, and the ImGui style made of them. Colour is a
-// statement here: cyan = motion, green = good, amber = attention, red = stop or fault, violet = emulated.
+// Colour tokens in a dark and a light set, and the ImGui style made from them. Each colour has one meaning:
+// cyan motion, green good, amber attention, red stop or fault, violet emulated.
 #include <array>
 #include <cstdint>
 

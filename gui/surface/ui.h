@@ -1,36 +1,38 @@
 #pragma once
-// Everything a widget or panel draws with: theme, type, scale, clock and input of one frame.
+// Gives widgets and panels all that they need to draw a frame: theme, type, scale, clock and input.
 //
 // How a panel uses the toolkit
-//   - A panel gets a `Ui& ui` and draws with plain functions, one call per widget, each frame anew:
+//   - A panel gets a `Ui& ui` and draws with plain functions, one call per widget, anew in each frame:
 //         if (button(ui, "program/run", "Run", {.icon = Icon::play, .moving = true}).clicked) send(Run{});
-//     The first text is the widget's path: our words in lower case, the maker's own as the maker writes them.
-//     It is its id for scripts, tests and the focus order, so it must be the same in every frame and unique.
-//   - Lengths in calls are logical pixels of the 4 px grid (4, 8, 12, 16, 24). The widgets scale and round;
-//     code that draws directly uses ui.px(12) and ui.hair(), and so lands on whole pixels.
-//   - Colours by token only: ui[Tone::warn]. Type by face only: ui.font(Face::body).
-//   - Widgets stand at ImGui's cursor and advance it like ImGui items: ImGui::SameLine(), BeginChild and
-//     SetCursorScreenPos work. A width of 0 is the natural one, `fill` takes the rest of the line.
-//   - Text: text(ui, Face::body, Tone::ink2, "...") at the cursor, wrapped(...) for sentences,
-//     draw_text / draw_text_right for exact places. Column furniture: section_title, group_line, key_value.
-//   - Numbers that a person types: number_field with a NumberField that the panel keeps; comma and point both
-//     read, the wheel changes nothing, a wrong value turns red with the range in words and is not reported.
-//   - Enabled and why not: every options struct has `disabled`: a sentence; empty means enabled. Say when it
-//     ends. It is shown as a tooltip; draw it beside the control where there is room.
-//   - Motion: set `.moving = true` on each control that can start motion: it gets the cyan edge, needs a
-//     second press by keyboard, and ignores a press until it has stood still for a while (standing.h). Its
-//     place must not depend on the length of a text: keep room for the longest.
+//     The first text is the widget's id for scripts, tests and the focus order: a path, unique, and the same
+//     in every frame. Our words in it are in lower case; a maker's own word is written as the maker writes
+//     it.
+//   - Lengths in calls are logical pixels of the 4 px grid (4, 8, 12, 16, 24). The widgets scale and round
+//     them; code that draws directly uses ui.px(12) and ui.hair() to get whole pixels.
+//   - Take colours by token: ui[Tone::warn]. Take type by face: ui.font(Face::body).
+//   - Widgets are placed at ImGui's cursor and advance it like ImGui items: ImGui::SameLine(), BeginChild and
+//     SetCursorScreenPos work. Width 0 is the natural width; `fill` takes the rest of the line.
+//   - Text: text(ui, Face::body, Tone::ink2, "...") at the cursor, wrapped(...) for sentences, draw_text and
+//     draw_text_right for exact places. For columns: section_title, group_line, key_value.
+//   - Numbers that the user types: number_field with a NumberField that the panel keeps. It reads comma and
+//     point and ignores the mouse wheel. A wrong value turns red, with the range in words, and is not
+//     committed.
+//   - Every options struct has `disabled`: a sentence that says why the control is disabled and until when;
+//     empty means enabled. It is shown as a tooltip; draw it beside the control too if there is space.
+//   - Motion: set `.moving = true` on each control that can start motion. It gets the cyan edge, needs a
+//     second press by keyboard, and ignores a press until it has been in its place for a while
+//     (press_guard.h). Its place must not depend on the length of a text: reserve the width of the longest.
 //     hold_button gives started / held / ended, with the times of the input, not of the frame.
-//   - draw_text_line cuts what is too long; the whole text is shown under the mouse, automatically.
-//   - A widget that changes with time alone (an expiring toast, "Attempt 5 in 3 s") calls ui.wake_in(), else
-//     no frame is drawn: a console at rest draws nothing. No widget may call it in every frame at rest.
-//   - A list or panel that needs the arrow keys calls ui.take_arrows() in the frame, else they jog. Esc
-//     closes it and also stops all controllers; the console then names the motions that were stopped.
-//   - Esc always stops all controllers before a panel receives it; ui.cancelled() is true in that frame, to
-//     close a popup or dialog as well.
-//   - Headless: Offscreen gives the same Ui without a display; tests draw a panel, push input through
+//   - draw_text_line cuts a text that is too long; the tip then shows the whole text.
+//   - A widget that changes with time alone (an expiring toast, "Attempt 5 in 3 s") calls ui.wake_in();
+//     otherwise no frame is drawn. A console at rest draws nothing, so no widget calls it in every frame at
+//     rest.
+//   - A list or panel that needs the arrow keys calls ui.take_arrows() in each frame; otherwise they jog.
+//   - Esc stops all controllers before a panel receives it. ui.cancelled() is true in that frame, so that a
+//     list, popup or dialog closes too. The console then names the motions that were stopped.
+//   - Headless: Offscreen gives the same Ui without a display. Tests draw a panel, push input through
 //     Automation (click, press, type ...) and look at the registry or at pixels.
-//   - No allocation at rest: format into stack buffers, keep view state in the panel's own members.
+//   - Allocate nothing at rest: format into stack buffers, and keep view state in the panel's own members.
 #include <algorithm>
 #include <cmath>
 
@@ -41,26 +43,26 @@
 #include "gui/input/gamepad.h"
 #include "gui/input/input_queue.h"
 #include "gui/input/keyboard.h"
+#include "gui/input/press_guard.h"
 #include "gui/input/registry.h"
-#include "gui/input/standing.h"
 #include "gui/surface/fonts.h"
 #include "gui/surface/pictures.h"
 #include "gui/surface/theme.h"
 
 namespace hw::gui {
 
-/// As a width: the rest of the line.
+/// A width that takes the rest of the line.
 inline constexpr float fill = -1;
 
 class Ui {
  public:
-  Ui(const Theme& t, const Fonts& f, Registry& r, Focus& fo, Standing& st, Keyboard& k, Gamepad& pad,
+  Ui(const Theme& t, const Fonts& f, Registry& r, Focus& fo, PressGuard& st, Keyboard& k, Gamepad& pad,
      InputQueue& in, Pictures& p, double now, ImVec2 size)
       : theme(t),
         fonts(f),
         registry(r),
         focus(fo),
-        standing(st),
+        press_guard(st),
         keyboard(k),
         gamepad(pad),
         input(in),
@@ -73,7 +75,7 @@ class Ui {
   const Fonts& fonts;
   Registry& registry;
   Focus& focus;
-  Standing& standing;
+  PressGuard& press_guard;
   Keyboard& keyboard;
   Gamepad& gamepad;
   InputQueue& input;
@@ -82,7 +84,7 @@ class Ui {
   const double now_s;    ///< clock of the frames; virtual in headless runs
   const ImVec2 size_px;  ///< of the window
 
-  /// Logical to whole physical pixels.
+  /// Converts logical to whole physical pixels.
   [[nodiscard]] float px(float logical) const { return std::floor(logical * scale + 0.5f); }
   [[nodiscard]] ImVec2 px(float x, float y) const { return ImVec2(px(x), px(y)); }
   /// Width of a hairline.
@@ -96,19 +98,19 @@ class Ui {
   void wake_in(double seconds) { wake_in_s_ = std::min(wake_in_s_, std::max(0.0, seconds)); }
   [[nodiscard]] double wake_in_s() const { return wake_in_s_; }
 
-  /// Draws the next widgets as if touched in this way: for pictures of all states (tests/gui gallery).
+  /// Draws the next widgets as if they were touched, for pictures of all states (tests/gui gallery).
   enum class Pretend : std::uint8_t { nothing, hovered, held, ring };
   Pretend pretend = Pretend::nothing;
 
-  /// In this frame the user types into something other than ImGui's InputText.
+  /// Call when the user types into a widget that is not ImGui's InputText, in each such frame.
   void note_typing() { typing_ = true; }
-  /// The field being typed into keeps Tab for itself, or Shift Tab too.
+  /// Call when the field that the user types into keeps Tab, or Tab and Shift Tab, in each such frame.
   void take_tab(TabTaken taken = TabTaken::forward) { tab_taken_ = taken; }
   void take_arrows() { takes_arrows_ = true; }
   [[nodiscard]] bool typing() const { return typing_; }
   [[nodiscard]] TabTaken tab_taken() const { return tab_taken_; }
   [[nodiscard]] bool takes_arrows() const { return takes_arrows_; }
-  // A text that was cut is shown whole under the mouse, unless its widget has a tip of its own.
+  // The tip shows a text that was cut, unless its widget has a tip of its own.
   void note_cut(std::string_view whole) const { cut_ = whole; }
   [[nodiscard]] std::string_view cut() const { return tip_shown_ ? std::string_view() : cut_.view(); }
   void note_tip() { tip_shown_ = true; }

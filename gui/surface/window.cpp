@@ -15,7 +15,7 @@ namespace hw::gui {
 namespace {
 
 constexpr int frames_after_input = FramePacer::frames_after_input;
-constexpr double look_at_keys_every_s = 0.05;  // while one is down
+constexpr double look_at_keys_every_s = 0.05;  // while a key is down
 enum { cursor_arrow, cursor_text, cursor_ew, cursor_ns };
 
 std::string glfw_error() {
@@ -47,7 +47,7 @@ struct Window::Callbacks {
     if (!down)
       of(w).keys_.release(key, code);
     else if (!of(w).keys_.is_press(key, code, action == GLFW_REPEAT))
-      return of(w).touched(1);  // ImGui counts its own repeats, but needs frames
+      return of(w).touched(1);  // ImGui makes its own repeats, but needs frames for them
     of(w).push(InputEvent::key(key, down, of(w).now_s()).with(modifiers_of(mods)));
   }
   static void character(GLFWwindow* w, unsigned code) { of(w).push(InputEvent::text(code, of(w).now_s())); }
@@ -71,7 +71,7 @@ struct Window::Callbacks {
     of(w).push(InputEvent::wheel(static_cast<float>(x), static_cast<float>(y), of(w).now_s()));
   }
   static void focus(GLFWwindow* w, int focused) { focused ? of(w).regain_keyboard() : of(w).lose_keyboard(); }
-  // The window moves under a resting pointer: no mouse move is reported.
+  // No mouse move is reported when the window moves under a resting pointer.
   static void position(GLFWwindow* w, int, int) { of(w).look_for_pointer(); }
   static void size(GLFWwindow* w, int, int) {
     of(w).look_for_pointer();
@@ -104,8 +104,8 @@ static std::future<Fonts> build_fonts(float scale) {
 }
 
 Result<std::unique_ptr<Window>> Window::open(WindowOptions options) {
-  // The atlas takes about as long as GLFW, the window and its GL: both run at once. The monitor's scale is
-  // known later; usually it is 1.
+  // Building the atlas takes about as long as opening the window, so both run at once. The monitor's scale,
+  // usually 1, is known only later.
   std::future<Fonts> fonts = build_fonts(options.scale);
   if (!glfwInit())
     return fail(FaultKind::port, "No window can be opened: there is no display" + glfw_error() + ".",
@@ -135,7 +135,7 @@ Result<> Window::create(std::future<Fonts> unscaled) {
     return fail(FaultKind::port, "The window could not be opened: no OpenGL 3.2" + glfw_error() + ".",
                 "Nothing was started.", "Install a graphics driver or Mesa (libgl1-mesa-dri).");
   glfwMakeContextCurrent(window_);
-  glfwSwapInterval(0);  // a waiting swap would delay Esc; the loop itself keeps 60 frames a second
+  glfwSwapInterval(0);  // waiting in a swap would delay Esc; the loop limits the rate to 60 frames a second
   screen_ = std::make_unique<Screen>(fonts.get(), options_.dark);
   gl_ready_ = ImGui_ImplOpenGL3_Init("#version 150");
   ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
@@ -292,7 +292,7 @@ void Window::frame(double now_s, const Draw& draw) {
   screen_->frame(now_s, ImVec2(static_cast<float>(std::max(w, 1)), static_cast<float>(std::max(h, 1))), draw);
   if (screen_->atlas_generation() != atlas_generation_) {
     if (atlas_generation_ == 0)
-      ImGui_ImplOpenGL3_NewFrame();  // makes shaders and texture
+      ImGui_ImplOpenGL3_NewFrame();  // creates shaders and texture
     else
       ImGui_ImplOpenGL3_DestroyFontsTexture(), ImGui_ImplOpenGL3_CreateFontsTexture();
     atlas_generation_ = screen_->atlas_generation();

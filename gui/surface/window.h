@@ -1,6 +1,7 @@
 #pragma once
-// The window: GLFW and GL, an event-driven loop. Frames are drawn on events, at most 60 times a second, and
-// none at rest. The callbacks put keys and buttons into the input queue, so that Esc acts in its callback.
+// The window: GLFW and GL with an event-driven loop. Frames are drawn on events, at most 60 times a second,
+// and none at rest. The callbacks put keys and buttons into the input queue at once, so that Esc stops before
+// the next frame.
 #include <atomic>
 #include <functional>
 #include <future>
@@ -25,9 +26,10 @@ namespace hw::gui {
 struct WindowOptions {
   std::string title = "Handwheel";
   int width = 1440, height = 900;  ///< logical
-  float scale = 1;                 ///< of the user, times the monitor's
+  float scale = 1;                 ///< the user's scale, multiplied by the monitor's
   bool dark = true;
-  std::function<double()> now_s;  ///< clock of the frames; empty: since the window opened
+  std::function<double()>
+      now_s;  ///< clock of the frames in seconds; empty: counts from the opening of the window
 };
 
 class Window : public Surface {
@@ -39,7 +41,7 @@ class Window : public Surface {
   /// Runs until the window is closed (and on_close agrees) or close() is called.
   void run(const Draw& draw);
   void close() { closing_ = true; }
-  /// Any thread: the display is out of date.
+  /// Requests a frame. Any thread.
   void wake();
 
   Screen& screen() override { return *screen_; }
@@ -85,7 +87,7 @@ class Window : public Surface {
   PhysicalKeys keys_;
   KeyboardGrabs grabs_;
   GamepadSource gamepads_;
-  std::optional<ImVec2> pointer_;  ///< position by the events; none: not reported yet
+  std::optional<ImVec2> pointer_;  ///< position by the events; nullopt: not reported yet
   FramePacer pacer_;
   std::atomic<bool> closing_{false};
   bool gl_ready_ = false;

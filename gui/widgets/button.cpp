@@ -37,7 +37,7 @@ Paint paint_of(const Ui& ui, const Touch& t, const ButtonOptions& o) {
 
 Face face_of(const ButtonOptions& o) { return o.on ? Face::body_bold : Face::body_medium; }
 
-/// The key hint: words, and the Enter sign for '\n'.
+/// Width of the key hint: its words, and the Enter sign for '\n'.
 float hint_width(const Ui& ui, std::string_view keys) {
   if (keys.empty()) return 0;
   const bool enter = keys.back() == '\n';

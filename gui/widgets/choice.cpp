@@ -15,7 +15,7 @@
 namespace hw::gui {
 namespace {
 
-/// `id/<name>` on the stack.
+/// The id `id/<name>`, built on the stack.
 class ChildId {
  public:
   ChildId(std::string_view id, std::string_view name) {
@@ -41,7 +41,7 @@ float widest(const Ui& ui, std::span<const std::string_view> names) {
   return w;
 }
 
-/// Rows of an open list. Returns the index chosen, -1 none yet.
+/// Draws the rows of an open list. Returns the index chosen in this frame, or -1.
 int draw_list(Ui& ui, std::string_view id, std::span<const std::string_view> names, int chosen, float width) {
   ui.take_arrows();
   int picked = -1;
@@ -71,12 +71,12 @@ int draw_list(Ui& ui, std::string_view id, std::span<const std::string_view> nam
   return picked;
 }
 
-/// The list under a clicked button. Stays open until a choice or Esc.
+/// The list below a clicked button. It stays open until a choice or Esc.
 int list_under(Ui& ui, std::string_view id, const Touch& t, std::span<const std::string_view> names,
                int chosen) {
   ImGui::PushID(id.data(), id.data() + id.size());
   if (t.clicked) ImGui::OpenPopup("list");
-  if (!ImGui::IsPopupOpen("list")) {  // its names need not be measured
+  if (!ImGui::IsPopupOpen("list")) {  // the names need not be measured
     ImGui::PopID();
     return -1;
   }

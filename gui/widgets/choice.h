@@ -1,5 +1,5 @@
 #pragma once
-// A single choice: a segment if the names fit on a line, else a drop-down.
+// A choice of one name: a segment if the names fit on a line, else a drop-down.
 #include <span>
 #include <string_view>
 
@@ -7,8 +7,8 @@
 
 namespace hw::gui {
 
-/// Place of an open list, in pixels: under its opener, else over it, else as far down as it fits. Never over
-/// the top bar, where STOP ALL is.
+/// The place of an open list, in pixels: below its button, else above it, else as far down as it fits. It
+/// never covers the top bar, because STOP ALL is there.
 Rect place_list(const Ui& ui, const Rect& opener, float width, float height);
 
 struct SegmentOptions {
@@ -16,7 +16,7 @@ struct SegmentOptions {
   float cell_width = 32;  ///< least width of a cell
   float height = 32;
 };
-/// Cells in a well; ids are `id/<name>`. Returns the index just chosen, or -1.
+/// Cells in a well; their ids are `id/<name>`. Returns the index chosen in this frame, or -1.
 int segment(Ui& ui, std::string_view id, std::span<const std::string_view> names, int chosen,
             const SegmentOptions& options = {});
 
@@ -28,13 +28,13 @@ struct DropdownOptions {
   bool error = false;
   std::string_view none = {};  ///< shown while none is chosen
 };
-/// Button with the chosen name and a chevron; opens rows of 32 whose ids are `id/<name>`. Returns the index
-/// just chosen, or -1. In the open list Up, Down and Enter choose.
+/// A button with the chosen name and a chevron. It opens rows 32 high; their ids are `id/<name>`. Up, Down
+/// and Enter choose in the open list. Returns the index chosen in this frame, or -1.
 int dropdown(Ui& ui, std::string_view id, std::string_view label, std::span<const std::string_view> names,
              int chosen, const DropdownOptions& options = {});
 
-/// A button that opens a list of actions. Returns the index just chosen, or -1. `titled`: its label is a
-/// title, so an arrow shows that it opens.
+/// A button that opens a list of actions. Returns the index chosen in this frame, or -1. `titled`: the label
+/// is a title, so an arrow shows that the button opens a list.
 int menu(Ui& ui, std::string_view id, std::string_view label, std::span<const std::string_view> names,
          std::string_view disabled = {}, float height = 32, bool titled = false);
 

@@ -119,11 +119,11 @@ EditorEvent CodeEditor::draw(Ui& ui, std::string_view id, const EditorLook& look
   const Touch t = touch(ui, {id, Kind::editor, "program text", text_, {}, false, {}},
                         ImVec2(std::max(1.0f, m.view.width()), std::max(1.0f, m.view.height())));
   ImGui::SetItemAllowOverlap();
-  // It covers the visible part, wherever that is scrolled to, and does not add to the scrolling range.
+  // The item covers the visible part and must not enlarge the scrolling range.
   ImGui::GetCurrentWindow()->DC.CursorMaxPos = content_end;
   if (t.hovered && mouse.x > m.view.min.x + m.text_x) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
   use_mouse(ui, m, t);
-  // Tab moves to the next control as everywhere else; with lines selected it indents them.
+  // Tab moves to the next control as elsewhere, except that it indents selected lines.
   if (typing_ && model_.has_selection() && look.read_only.empty()) ui.take_tab(TabTaken::both);
   if (ui.focus.take_entry(id)) typing_ = true;
   if (typing_ && !ui.focus.is(id)) typing_ = false;
@@ -247,8 +247,8 @@ void CodeEditor::keep_caret_in_sight(const Metrics& m) {
   if (x > right) ImGui::SetScrollX(ImGui::GetScrollX() + (x - right));
 }
 
-/// Keeps the line of a running program visible, but only when it or the size changes: scrolling away is
-/// allowed.
+/// Scrolls to the line that runs, but only when the line or the size of the view changes, so that the user
+/// can scroll away.
 void CodeEditor::follow_live_line(const EditorLook& look, const Metrics& m) {
   if (look.live_line == followed_line_ && m.view.height() == followed_height_) return;
   followed_line_ = look.live_line;

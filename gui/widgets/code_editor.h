@@ -1,7 +1,7 @@
 #pragma once
-// The program editor: line numbers, marks, coloured text, the cost of each line at the right, the live line,
-// and problems with a sentence and a fix below their line. Only visible lines are drawn. The text and its
-// undo live in TextModel; colours, costs and problems come from the language's report.
+// The program editor shows line numbers, marks, coloured text, the cost of each line at the right, and the
+// line that runs now. A problem is explained below its line, with a fix. Only visible lines are drawn.
+// TextModel holds the text and its undo steps; colours, costs and problems come from the language's report.
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,16 +18,16 @@
 namespace hw::gui {
 
 struct EditorLook {
-  const ProgramReport* report = nullptr;          ///< of this text; null: no colours
-  std::string_view problems = "program/problem";  ///< path of the problem rows: `.../1`, `.../1/fix`
+  const ProgramReport* report = nullptr;          ///< made from this text; null: no colours
+  std::string_view problems = "program/problem";  ///< id of the problem rows: `.../1`, `.../1/fix`
   std::string_view cost_title = {};               ///< "bytes"; empty: no costs
   std::string_view comment_mark = "; ";
   int live_line = -1;                      ///< from 0; -1: none
   std::span<const int> also_live = {};     ///< of other programs running at the same time
-  bool live_reported = false;              ///< reported by the controller; false: worked out
-  std::string_view live = "program/live";  ///< path of the live line
+  bool live_reported = false;              ///< true: reported by the controller; false: estimated
+  std::string_view live = "program/live";  ///< id of the live line
   std::string_view live_words = {};        ///< at the right of the live line: "pass 7 of 20"
-  std::string_view read_only = {};         ///< why; empty: editable
+  std::string_view read_only = {};         ///< why the text cannot be edited; empty: it can
   std::string_view placeholder = {};       ///< shown while the text is empty
   float height = fill;                     ///< logical
 };
@@ -47,7 +47,8 @@ class CodeEditor {
   TextModel& model() { return model_; }
   /// Moves the caret there and scrolls to the line.
   void go_to(TextPlace place);
-  /// As Ctrl+F and Ctrl+/, for users who do not know the keys. Take effect in the next draw().
+  /// Do the same as Ctrl+F and Ctrl+/, for users who do not know the keys. They take effect in the next
+  /// draw().
   void ask_find() { find_asked_ = true; }
   void toggle_comment() { comment_asked_ = true; }
 

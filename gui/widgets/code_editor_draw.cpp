@@ -1,4 +1,4 @@
-// The drawing half of the editor: visible lines, their marks, costs and problem rows.
+// Draws the visible lines of the editor with their marks, costs and problem rows.
 #include <algorithm>
 #include <cstdio>
 
@@ -78,10 +78,10 @@ void CodeEditor::draw_ground(Ui& ui, const EditorLook& look, const Metrics& m, i
 }
 
 void CodeEditor::draw_selection(const Metrics& m, int line, const Rect& row) {
-  const Stretch chosen = model_.selection();
+  const TextRange chosen = model_.selection();
   if (!model_.has_selection() || line < chosen.begin.line || line > chosen.end.line) return;
   const float from = line == chosen.begin.line ? x_of(m, chosen.begin) : m.origin.x;
-  // A selected line end is drawn as half a character.
+  // A selected line end is drawn half a character wide.
   const int size = static_cast<int>(model_.line(line).size());
   const float to =
       line == chosen.end.line ? x_of(m, chosen.end) : x_of(m, {line, size}) + std::floor(m.advance * 0.5f);

@@ -33,13 +33,13 @@ Touch digits(Ui& ui, std::string_view id, std::string_view label, std::string_vi
   const Touch t = touch(ui, {id, Kind::button, label, number, {}, false, o.tip}, ImVec2(w, h));
   const float right = t.rect.max.x - slot_px(ui, unit), figures = text_width(ui, o.face, number);
   if (o.state == DigitsState::untrusted) {
-    // Only the height of the figures: from cap height to base line, and 3 beyond.
+    // The hatching is as high as the figures, from cap height to base line, and 3 beyond.
     const float cap = size_of(o.face).em * 0.727f * ui.scale * 0.5f + ui.px(3), y = t.rect.centre().y;
     draw_hatching(ui, {ImVec2(right - figures, std::floor(y - cap)), ImVec2(right, std::floor(y + cap))});
   }
   draw_text_right(ui, ImVec2(right, t.rect.min.y), o.face,
                   ui[o.state == DigitsState::good ? Tone::ink : Tone::ink3], number);
-  // The unit is on the base line of the figures: boxes of both faces are centred on their capitals.
+  // The unit shares the base line of the figures; the boxes of both faces are centred on their capitals.
   const float drop = (size_of(o.face).em - size_of(Face::title).em) * 0.727f * 0.5f * ui.scale;
   const float y = t.rect.centre().y - ui.line(Face::title) * 0.5f + drop;
   draw_text_right(ui, ImVec2(t.rect.max.x, std::floor(y + 0.5f)), Face::title, ui[Tone::ink2], unit);

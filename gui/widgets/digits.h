@@ -21,7 +21,7 @@ struct DigitsOptions {
   float width = fill;
 };
 
-/// `number`: as shown ("−150.000"); registers as a button: a click copies or sets.
+/// `number`: the text to show ("−150.000"). The widget is a button: a click copies or sets the number.
 Touch digits(Ui& ui, std::string_view id, std::string_view label, std::string_view number,
              std::string_view unit, const DigitsOptions& options = {});
 
@@ -29,7 +29,7 @@ Touch digits(Ui& ui, std::string_view id, std::string_view label, std::string_vi
 /// points of all axes stay in one column.
 Face digits_face(const Ui& ui, std::span<const std::string_view> numbers, std::string_view unit, Face wanted,
                  float width_px);
-/// Width of figures and unit, in pixels.
+/// The width of figures and unit together, in pixels.
 float digits_width(const Ui& ui, Face face, std::string_view number, std::string_view unit);
 
 }  // namespace hw::gui

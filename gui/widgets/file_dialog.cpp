@@ -126,7 +126,7 @@ fs::path FileDialog::typed() const {
   return (p.is_absolute() ? p : folder_ / p).lexically_normal();
 }
 
-/// Enter, or the button: enters a folder, else returns the path if it is valid.
+/// Called for Enter and the button. Opens a folder; returns any other path if it is valid.
 std::optional<fs::path> FileDialog::accept() {
   fs::path path = typed();
   if (is_folder(path)) {
@@ -156,7 +156,7 @@ std::optional<fs::path> FileDialog::accept() {
   return path;
 }
 
-/// Tab: completes the longest common beginning of all matching names.
+/// Called for Tab. Completes the longest common beginning of all matching names.
 bool FileDialog::complete(std::string& text, std::size_t& cursor) {
   const fs::path whole = expanded(text);
   const fs::path folder = (whole.is_absolute() ? whole : folder_ / whole).parent_path();
@@ -185,7 +185,7 @@ bool FileDialog::complete(std::string& text, std::size_t& cursor) {
   return true;
 }
 
-/// Up and Down: the next name of the list.
+/// Called for Up and Down. Takes the next name of the list.
 bool FileDialog::walk(std::string& text, int direction) {
   if (entries_.empty()) return false;
   chosen_ = std::clamp(chosen_ + direction, 0, static_cast<int>(entries_.size()) - 1);

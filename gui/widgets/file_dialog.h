@@ -22,8 +22,8 @@ class FileDialog {
   void ask_save(std::string title, const std::filesystem::path& start,
                 std::vector<std::string> suffixes = {});
   [[nodiscard]] bool is_open() const { return open_; }
-  /// Each frame. Returns the chosen path, once; `is_open()` is false then. Ids: `file/path`, `file/open`,
-  /// `file/save`, `file/cancel`, `file/up`, `file/all`, `file/NAME`.
+  /// Call in each frame. Returns the chosen path once; the dialog is then closed. Ids: `file/path`,
+  /// `file/open`, `file/save`, `file/cancel`, `file/up`, `file/all`, `file/NAME`.
   std::optional<std::filesystem::path> draw(Ui& ui);
   /// The last folder shown.
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

@@ -27,13 +27,13 @@ struct FindIds {
 void FindBar::open(Ui& ui, std::string_view id, const TextModel& model) {
   open_ = true;
   failed_ = false;
-  const Stretch chosen = model.selection();
+  const TextRange chosen = model.selection();
   if (model.has_selection() && chosen.begin.line == chosen.end.line) needle_ = model.selected();
   ui.focus.move_to(FindIds(id).field);
 }
 
 bool FindBar::next(TextModel& model, bool forward) {
-  const Stretch chosen = model.selection();
+  const TextRange chosen = model.selection();
   const auto hit = model.find(needle_, forward ? chosen.end : chosen.begin, forward);
   failed_ = !hit && !needle_.empty();
   if (!hit) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// Search in an editor: a row above the text. Ctrl+F opens it, Enter and F3 find the next place, Esc or its
+// Search in an editor: a row above the text. Ctrl+F opens it. Enter and F3 find the next match. Esc or the
 // cross closes it.
 #include <string>
 #include <string_view>
@@ -14,9 +14,9 @@ class FindBar {
   void open(Ui& ui, std::string_view id, const TextModel& model);
   [[nodiscard]] bool is_open() const { return open_; }
   [[nodiscard]] const std::string& needle() const { return needle_; }
-  /// Draws the row of 40 when open. True: the caret moved to a found place.
+  /// Draws the row, 40 high, when open. Returns true when the caret moved to a match.
   bool draw(Ui& ui, std::string_view id, TextModel& model);
-  /// True when a place was found.
+  /// Returns true when there is a match.
   bool next(TextModel& model, bool forward);
 
  private:

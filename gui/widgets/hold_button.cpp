@@ -42,10 +42,10 @@ Hold hold_button(Ui& ui, std::string_view id, std::string_view label, const Hold
   Hold hold;
   hold.touch = touch(ui, about, ui.px(o.width, o.height));
   const Touch& t = hold.touch;
-  if (t.held) ui.wake_in(1.0 / 30);  // a hold sends keep-alives: keep drawing frames
+  if (t.held) ui.wake_in(1.0 / 30);  // a hold sends keep-alives in each frame
   hold.started = t.started;
   hold.held = t.held;
-  // Disabled while held: the item is still active in ImGui, and its release must not be lost.
+  // A button disabled while held is still active in ImGui; its release must not be lost.
   hold.ended = t.ended || (!t.enabled && (ImGui::IsItemActive() || ImGui::IsItemDeactivated()));
   if (!t.enabled && ImGui::IsItemActive()) ImGui::ClearActiveID();
   hold.pressed_at_s = t.pressed_at_s;

@@ -1,6 +1,6 @@
 #pragma once
-// A button that acts while held: the jog buttons. Leaving it with the mouse does not stop, releasing it does;
-// there is no repeat.
+// A button that acts while held, such as a jog button. Releasing it ends the hold; moving the mouse off it
+// does not. It does not repeat.
 #include <string_view>
 
 #include "gui/widgets/icons.h"
@@ -12,7 +12,7 @@ struct HoldOptions {
   Icon icon = Icon::none;
   std::string_view disabled = {};
   std::string_view tip = {};
-  float width = 56, height = 56;  ///< 48 in medium windows
+  float width = 56, height = 56;  ///< logical; 48 in medium windows
   bool moving = true;             ///< false: front panel buttons of a bench
   bool stops = false;             ///< a Stop: fault outline and words
   bool lit = false;               ///< held by other means (a key): drawn as held

@@ -7,7 +7,7 @@
 namespace hw::gui {
 namespace {
 
-/// Draws on a grid of 12 x 12 with its centre at 0, 0. Straight edges are on whole pixels.
+/// Draws on a grid of 12 x 12 with its centre at 0, 0. Straight edges lie on whole pixels.
 struct Pen {
   ImDrawList* list;
   ImVec2 centre;
@@ -151,7 +151,7 @@ void draw_signs(const Pen& p, Icon icon) {
   }
 }
 
-/// Of a list's tools, where there is no room for their words.
+/// Icons for the tools of a list, where their words do not fit.
 void draw_tool(const Pen& p, Icon icon) {
   switch (icon) {
     case Icon::copy: p.frame(-5, -6, 2, 2, 1.25f), p.path({V(5, -2), V(5, 5.5f), V(-2, 5.5f)}, 1.25f); break;

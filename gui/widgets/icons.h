@@ -1,5 +1,6 @@
 #pragma once
-// The shapes of the console, drawn, not glyphs: each state has a shape in addition to its word and colour.
+// The icons of the console. They are drawn, not taken from a font. Each state has a shape in addition to its
+// word and colour.
 #include <cstdint>
 
 #include <imgui.h>
@@ -52,16 +53,16 @@ enum class Icon : std::uint8_t {
   copy,     ///< two sheets
   empty,    ///< a bin: take everything out of a list
   save,     ///< an arrow down, onto a bar
-  meaning,  ///< an equals sign: what the bytes mean
-  folded,   ///< two arrowheads that press on a line
+  meaning,  ///< an equals sign: the meaning of the bytes
+  folded,   ///< two arrowheads pointing at a line
   undo,     ///< an arrow that turns back to the left
-  redo,     ///< and to the right
+  redo,     ///< an arrow that turns back to the right
   count
 };
 
 /// `size`: side of the enclosing square in pixels; 12 logical pixels as a rule.
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 centre, float size, ImU32 colour);
-/// The program's logo: a handwheel with its knob in the motion colour.
+/// The console's logo: a handwheel with its knob in the motion colour.
 void draw_brand(ImDrawList* list, ImVec2 centre, float size, ImU32 ink, ImU32 knob);
 /// Four bars, `lit` of them in colour.
 void draw_signal(ImDrawList* list, ImVec2 top_left, float size, int lit, ImU32 colour, ImU32 off);

@@ -46,7 +46,7 @@ std::string_view word_of(const ToggleOptions& o) {
   return {};
 }
 
-/// A narrow toggle lamp has no word: its lamp and name stand as far apart, and from its edge, as they fit.
+/// A narrow toggle has no word. The spaces beside its lamp and name shrink to fit.
 struct NarrowSpacing {
   float left = 0, apart = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Inputs, limits, latches: shape, name and word. Outputs: a toggle that changes when the controller has
-// confirmed it.
+// Lamps show inputs, limits and latches by shape, name and word. Toggles switch outputs; they change only
+// when the controller has confirmed it.
 #include <string_view>
 
 #include "gui/widgets/touch.h"
@@ -26,7 +26,8 @@ struct LampOptions {
   float width = 0, height = 32;
 };
 void lamp(Ui& ui, std::string_view id, std::string_view name, const LampOptions& options);
-/// Only the shape, for rails and drawn front panels: `size` logical, lit in `tone` within an ink2 ring.
+/// Draws only the shape, for rails and front panels. `size` is logical; a lit lamp is filled with `tone`
+/// inside an ink2 ring.
 void draw_lamp(Ui& ui, ImVec2 centre, float size, LampShape shape, LampState state,
                Tone tone = Tone::lamp_ok);
 
@@ -34,13 +35,13 @@ enum class ToggleState : std::uint8_t { off, on, sending, refused, stale };
 struct ToggleOptions {
   ToggleState state = ToggleState::off;
   std::string_view word = {};      ///< instead of off, on, sending, refused, on?
-  std::string_view disabled = {};  ///< why, naming its owner
+  std::string_view disabled = {};  ///< why it cannot be switched, and what owns it
   std::string_view tip = {};
   float width = fill;
   bool narrow = false;  ///< only lamp and name
 };
 Touch toggle_lamp(Ui& ui, std::string_view id, std::string_view name, const ToggleOptions& options);
-/// The same as a cell of a table, 28 high in a row of 32: only the lamp, as row and column name it.
+/// A toggle in a table cell, 28 high in a row of 32. It shows only the lamp, because row and column name it.
 Touch toggle_cell(Ui& ui, std::string_view id, std::string_view name, bool on, float width,
                   std::string_view tip);
 

@@ -12,7 +12,7 @@
 namespace hw::gui {
 namespace {
 
-/// Dims the screen except the modal itself and STOP ALL, which still works.
+/// Dims the screen, except the modal and STOP ALL, which still works.
 void dim_around_modal(Ui& ui) {
   const ImGuiWindow* window = ImGui::GetCurrentWindow();
   Rect holes[2] = {{window->Pos, ImVec2(window->Pos.x + window->Size.x, window->Pos.y + window->Size.y)}, {}};
@@ -36,7 +36,7 @@ void dim_around_modal(Ui& ui) {
   window->DrawList->PopClipRect();
 }
 
-/// `<id>/<tail>` in `buffer`.
+/// Writes `<id>/<tail>` into `buffer`.
 std::string_view child(std::span<char> buffer, std::string_view id, std::string_view tail) {
   const int n = std::snprintf(buffer.data(), buffer.size(), "%.*s/%.*s", static_cast<int>(id.size()),
                               id.data(), static_cast<int>(tail.size()), tail.data());
@@ -121,7 +121,7 @@ namespace {
 
 std::string_view brief_label(const Action& a) { return a.brief.empty() ? a.label : a.brief; }
 
-/// Where the last sentence but `left_out` ends; 0: there are no more.
+/// The end of the sentences without the last `left_out`; 0: no sentence is left.
 std::size_t end_without(std::string_view sentences, int left_out) {
   std::size_t end = sentences.size();
   for (; left_out > 0 && end != 0; --left_out) {
@@ -141,7 +141,7 @@ std::string words_of_bar(const Banner& what) {
   return words;
 }
 
-/// The title, and behind it as many whole sentences as there is room for.
+/// Draws the title, and behind it as many whole sentences as fit.
 void draw_words_in_one_line(Ui& ui, const Rect& in, const Banner& what) {
   const std::string kept = words_of_bar(what);
   const std::string_view words = kept;
@@ -158,8 +158,8 @@ void draw_words_in_one_line(Ui& ui, const Rect& in, const Banner& what) {
   draw_text_line(ui, behind, in.max.x, middle, Face::small, ui[Tone::ink], words.substr(0, end));
 }
 
-/// The title, and the words behind or below it: as many whole sentences as two lines hold. The rest is shown
-/// under the mouse.
+/// Draws the title, and behind or below it as many whole sentences as fit into two lines. The tip shows the
+/// rest.
 void draw_bar_words(Ui& ui, const Rect& in, const Banner& what) {
   const std::string kept = words_of_bar(what);
   const std::string_view words = kept;
@@ -230,9 +230,9 @@ int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const 
 
 namespace {
 
-/// A dialog is drawn, in this frame or in the previous one. A dialog whose owner disappeared without closing
-/// it may remain in ImGui's stack: it is not waited for.
-bool a_dialog_is_up() {
+/// Whether a dialog was drawn in this frame or the previous one. A dialog may remain in ImGui's stack when
+/// its owner disappeared without closing it; it does not count.
+bool a_dialog_is_open() {
   for (const ImGuiPopupData& popup : GImGui->OpenPopupStack)
     if (const ImGuiWindow* w = popup.Window; w && (w->Flags & ImGuiWindowFlags_Modal))
       if (w->Active || w->WasActive) return true;
@@ -245,8 +245,8 @@ bool begin_modal(Ui& ui, std::string_view id, bool open, float width, float heig
   char name[96];
   std::snprintf(name, sizeof name, "##%.*s", static_cast<int>(id.size()), id.data());
   if (!open) return false;
-  // ImGui has one popup per level: a second would close the first, and the first the second, for ever.
-  if (!ImGui::IsPopupOpen(name) && !a_dialog_is_up()) ImGui::OpenPopup(name);
+  // ImGui has one popup per level. Two modals would close each other in every frame.
+  if (!ImGui::IsPopupOpen(name) && !a_dialog_is_open()) ImGui::OpenPopup(name);
   const float w = std::min(ui.px(width), ui.size_px.x - ui.px(32));
   // Centred below the top bar: STOP ALL stays visible.
   const float top = ui.px(top_bar_height), room = ui.size_px.y - top;

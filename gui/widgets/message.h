@@ -1,6 +1,6 @@
 #pragma once
-// The console's own messages: a banner for the worst fact, toasts for what was done, a dialog before anything
-// that cannot be undone.
+// The console's own messages: a banner for the worst problem, toasts for completed actions, a dialog before
+// an action that cannot be undone.
 #include <span>
 #include <string_view>
 
@@ -19,7 +19,7 @@ SeverityMark severity_mark(Severity severity);
 
 struct Action {
   std::string_view id, label;
-  std::string_view brief = {};  ///< label where there is little room; empty: as `label`
+  std::string_view brief = {};  ///< shorter label for a narrow window; empty: as `label`
   std::string_view disabled = {};
   bool main = false;  ///< a raised button; others are quiet
   bool moving = false;
@@ -32,25 +32,26 @@ struct Banner {
   std::string_view aside = {};  ///< beside the actions: "Attempt 5 in 3 s."
   std::string_view brief = {};  ///< text for a bar; empty: as much of `sentences` as fits
 };
-/// Across the full width of the window, bar 3. Returns the index of the action just clicked, or -1.
+/// Draws the banner across the full width of the window. Returns the index of the action clicked in this
+/// frame, or -1.
 int banner(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions);
-/// Height of that banner in this width, logical.
+/// The height of that banner in this width, both logical.
 float banner_height(const Ui& ui, const Banner& what, float width, bool actions);
-/// The same in one bar that fills the current window: title and aside over the sentences, in small type, or
-/// folded to one line without the aside; a cut text is shown whole under the mouse.
+/// The same banner in one bar that fills the current window: title and aside above the sentences, in small
+/// type. `one_line` folds it to one line without the aside. The tip shows a text that was cut.
 int banner_bar(Ui& ui, std::string_view id, const Banner& what, std::span<const Action> actions,
                bool one_line = false);
-/// Tints a row or card and its bar at the left, from the cursor down `height_px`; draws nothing else.
+/// Tints the ground of a row or card, with a bar at its left, from the cursor down `height_px` pixels.
 void tinted(Ui& ui, Severity severity, float height_px);
 
-/// The newest message in `place`, for any view with room for it: mark, sentence, count, age, number of
-/// further messages, and a cross; in a width below 160 only its mark and their number. A press opens the list
-/// of all. Ids: `toast/NUMBER` (also for the messages behind the newest), `message/strip`, `message/more`,
-/// `message/close/NUMBER`.
+/// Draws the newest message in `place`: mark, sentence, count, age, the number of further messages, and a
+/// cross. Narrower than 160 logical pixels it shows only the mark and the number. A press opens the list of
+/// all messages. Ids: `toast/NUMBER` (also for the messages behind the newest), `message/strip`,
+/// `message/more`, `message/close/NUMBER`.
 void draw_messages(Ui& ui, Toasts& toasts, const Rect& place);
-/// Last in a frame: expires messages, and draws their list while it is open: by the strip, in `within`,
-/// covering nothing of the line `status`. Ids: `message/list/NUMBER`, `message/list/NUMBER/close`,
-/// `message/close_all`.
+/// Call last in a frame. Expires old messages, and draws the list of messages while it is open: beside the
+/// strip, inside `within`, without covering the line `status`. Ids: `message/list/NUMBER`,
+/// `message/list/NUMBER/close`, `message/close_all`.
 void draw_toasts(Ui& ui, Toasts& toasts, const Rect& within, const Rect& status);
 
 struct Dialog {
@@ -61,12 +62,12 @@ struct Dialog {
   bool moving = false;  ///< `yes` can start motion
 };
 enum class Answer : std::uint8_t { none, yes, no };
-/// Modal while `open`; Esc is no. The focus is on no, so an accidental Enter does nothing.
-/// Ids: `id/yes`, `id/no`, `id/says`.
+/// Draws a modal dialog while `open`. Esc answers no. The focus starts on no, so that an accidental Enter
+/// does nothing. Ids: `id/yes`, `id/no`, `id/says`.
 Answer dialog(Ui& ui, std::string_view id, bool& open, const Dialog& what);
 
-/// The frame of a modal window, centred; true: draw its content, then end_modal(). Width and height logical;
-/// height 0: the height of its content.
+/// Begins a centred modal window. If it returns true, draw the content, then call end_modal(). Width and
+/// height are logical; height 0 takes the height of the content.
 bool begin_modal(Ui& ui, std::string_view id, bool open, float width, float height = 0);
 void end_modal();
 

@@ -1,4 +1,4 @@
-// Messages: the newest in a strip, all of them in the list that it opens.
+// Draws the newest message in a strip, and all messages in the list that the strip opens.
 #include <algorithm>
 #include <cstdio>
 #include <span>
@@ -18,13 +18,13 @@ using Message = Toasts::Toast;
 constexpr const char* message_popup = "##messages";
 constexpr float cross_width = 28, mark_width = 34;
 
-/// `head`, the number and `tail`.
+/// An id made of `head`, the number and `tail`.
 std::string_view message_id(std::span<char> buffer, const char* head, int number, const char* tail = "") {
   const int n = std::snprintf(buffer.data(), buffer.size(), "%s%d%s", head, number, tail);
   return {buffer.data(), static_cast<std::size_t>(std::clamp(n, 0, static_cast<int>(buffer.size()) - 1))};
 }
 
-/// "now", "2 min": no finer steps, so that a console at rest draws one frame a minute for it.
+/// "now", "2 min": in minutes, so that a console at rest draws only one frame a minute.
 std::string_view age_of(Ui& ui, const Message& message, std::span<char> buffer) {
   const double age = message.until_s < 0 ? 0 : std::max(0.0, ui.now_s - message.since_s);
   const bool hours = age >= 3600;
@@ -79,7 +79,7 @@ void name_waiting(Ui& ui, const Toasts& toasts, const Rect& place) {
   }
 }
 
-/// For very little room: mark and number, with the sentence under the mouse.
+/// The narrowest form: mark and number. The tip shows the sentence.
 void draw_brief(Ui& ui, Toasts& toasts, const Rect& place) {
   const Message& newest = toasts.list().back();
   char id[24], count[12];
@@ -100,7 +100,7 @@ void draw_brief(Ui& ui, Toasts& toasts, const Rect& place) {
   toasts.in_frame.list_wanted |= t.clicked;
 }
 
-/// "1 more", right-aligned; returns its left edge.
+/// Draws "1 more", right-aligned. Returns its left edge.
 float draw_more(Ui& ui, Toasts& toasts, float right, float middle) {
   const int waiting = static_cast<int>(toasts.list().size()) - 1;
   if (waiting == 0) return right;
@@ -168,7 +168,7 @@ float row_height(const Ui& ui, const Message& message, float width) {
          ui.line(Face::small) + ui.px(8);
 }
 
-/// True: its cross was pressed.
+/// Returns true when its cross was pressed.
 bool draw_row(Ui& ui, const Message& message, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = row_height(ui, message, width);
@@ -189,7 +189,7 @@ bool draw_row(Ui& ui, const Message& message, float width) {
   return closed;
 }
 
-/// Below the strip, else above it.
+/// The list is below the strip if it fits there, else above it.
 Rect place_message_list(const Ui& ui, const Rect& within, const Rect& status, float height) {
   const Widget* strip = ui.registry.find("message/strip");
   const Rect at = strip ? strip->rect : status;

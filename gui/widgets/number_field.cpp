@@ -59,7 +59,7 @@ NumberEvent number_field(Ui& ui, std::string_view id, std::string_view label, st
   field.error = !state.sentence.empty() || !o.refused.empty();
   field.changed = o.changed || (shown && state.dirty());
   field.stale = o.stale;
-  ImGui::BeginGroup();  // the sentence is under the field, wherever that was placed
+  ImGui::BeginGroup();  // keeps the sentence below the field
   event.field = text_field(ui, id, label, state.text, field);
   if (event.field.edited) NumberAccess::edited(state);
   const bool done = event.field.entered || (event.field.left && state.dirty());

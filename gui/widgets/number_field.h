@@ -1,6 +1,6 @@
 #pragma once
-// A number field. Comma, point and the real minus sign are read; the wheel changes nothing. A value out of
-// range is not reported: the field turns red, with the range in words below it.
+// A number field. It accepts comma, point and the real minus sign; the mouse wheel changes nothing. A value
+// out of range is not committed: the field turns red, and a sentence below gives the range.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,19 +15,19 @@ struct NumberOptions {
   std::string_view disabled = {};
   std::string_view tip = {};
   std::string_view refused =
-      {};  ///< from elsewhere: refused by the controller or a soft limit; turns the field red
+      {};  ///< why the controller or a soft limit refused the number; turns the field red
   float width = fill, height = 32;
   bool changed = false, stale = false;
   bool sentence_below = true;  ///< false: the panel shows state.sentence itself
 };
 
-/// Kept by the panel, one per field. Typed text stays as it is; otherwise the field follows the shown value.
+/// The panel keeps one for each field. Typed text stays; otherwise the field follows the shown value.
 class NumberField {
  public:
   std::string text;
   std::string sentence;  ///< the error in the text; empty: none
   [[nodiscard]] bool dirty() const { return dirty_; }
-  /// The number in the text, in range or not; nothing when it is no number.
+  /// The number in the text, in range or not; nullopt when the text is not a number.
   [[nodiscard]] std::optional<double> value() const;
   /// Sets a value as if it had been typed.
   void set(double value, int decimals);
@@ -48,7 +48,7 @@ struct NumberEvent {
   double value = 0;
 };
 
-/// `shown`: the controller's value (nullopt: the text belongs to the panel alone, as in Go to).
+/// `shown`: the controller's value; nullopt: the controller has no value for this field, as in Go to.
 NumberEvent number_field(Ui& ui, std::string_view id, std::string_view label, std::optional<double> shown,
                          NumberField& state, const NumberOptions& options = {});
 

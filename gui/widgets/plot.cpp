@@ -28,7 +28,7 @@ int tick_decimals(double step) {
 
 void draw_grid(Ui& ui, const PlotField& f, const PlotOptions& o) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  // Half as many lines where they would be too close.
+  // Lines that would be too close are halved in number.
   const int across = std::max(2, static_cast<int>(f.inside.width() / ui.px(100)));
   const int up =
       std::max(2, static_cast<int>(f.inside.height() / ui.px(f.inside.height() < ui.px(120) ? 40 : 32)));
@@ -56,7 +56,7 @@ void draw_grid(Ui& ui, const PlotField& f, const PlotOptions& o) {
   }
 }
 
-/// At most two points for each column of pixels: its lowest and its highest, in their order.
+/// Adds at most two points for each column of pixels: the lowest and the highest, in their order.
 void path_of(const PlotField& f, std::span<const float> xs, std::span<const float> ys) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   float column = 0, low = 0, high = 0;
@@ -79,7 +79,7 @@ void path_of(const PlotField& f, std::span<const float> xs, std::span<const floa
   emit();
 }
 
-/// ImGui draws each dash through its path, so the points are first moved out of it. They keep their memory.
+/// ImGui draws each dash through its path, so the points are moved out of it first. Their memory is kept.
 void stroke_dashed(Ui& ui, ImU32 colour, float width) {
   static thread_local std::vector<ImVec2> points;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -106,7 +106,7 @@ bool gap_before(const PlotTrace& t, std::size_t point) {
   return std::binary_search(t.gaps.begin(), t.gaps.end(), point);
 }
 
-/// One stroke from gap to gap.
+/// Draws one stroke from gap to gap.
 void draw_trace(Ui& ui, const PlotField& f, const PlotTrace& t) {
   const std::size_t n = std::min(t.x.size(), t.y.size());
   const float width = t.width * ui.hair();
@@ -132,7 +132,7 @@ void words_on_well(Ui& ui, const PlotField& f, ImVec2 at, ImU32 colour, std::str
 
 void draw_names(Ui& ui, const PlotField& f, std::span<const PlotTrace> traces) {
   const float line = ui.line(Face::small);
-  float before = -2 * line;  // top of the previous name: the next one gives way to it
+  float before = -2 * line;  // top of the previous name, which the next name must not touch
   for (const PlotTrace& t : traces) {
     if (t.name.empty() || t.y.empty()) continue;
     const float width = std::ceil(text_width(ui, Face::small, t.name)), y = f.py(t.y.back());
@@ -167,7 +167,7 @@ std::string_view cursor_words(std::span<char> out, std::span<const PlotTrace> tr
   for (const PlotTrace& t : traces) {
     float v = 0;
     if (t.name.empty() || !value_at(t, x, v)) continue;
-    // The name at the trace may end in its last value: use only the words before it.
+    // The name at the trace may end in its last value, which is left out here.
     const auto space = t.name.find(' ');
     const auto more =
         fmt::format_to_n(out.data() + size, out.size() - size, "{} {} {:.{}f}", first ? ":" : ",",
@@ -259,7 +259,8 @@ void plot(Ui& ui, std::string_view id, std::string_view label, std::span<const P
     const ImVec2 middle = f.inside.centre();
     const ImVec2 half(text_width(ui, Face::body, o.empty) / 2 + ui.px(8), ui.line(Face::body) / 2);
     list->AddRectFilled(ImVec2(middle.x - half.x, middle.y - half.y),
-                        ImVec2(middle.x + half.x, middle.y + half.y), ui[Tone::well]);  // no grid through it
+                        ImVec2(middle.x + half.x, middle.y + half.y),
+                        ui[Tone::well]);  // hides the grid behind the words
     draw_text_centred(ui, f.inside, Face::body, ui[Tone::ink2], o.empty);
     return;
   }

@@ -1,7 +1,7 @@
 #pragma once
-// Traces over a common axis: usually time, otherwise a position. Grid, names at the traces, a cursor under
-// the mouse that shows the values there. Allocates nothing at rest: traces are the panel's memory, and at
-// most two points are drawn per column of pixels.
+// Traces over a common axis, time or position, with a grid, names at the traces, and a cursor that shows the
+// values under the mouse. At rest a plot allocates no memory: the panel owns the traces, and at most two
+// points are drawn per column of pixels.
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -15,9 +15,9 @@ struct PlotTrace {
   Tone tone = Tone::ink;
   float width = 1;  ///< logical
   bool dashed = false;
-  std::string_view name = {};  ///< at its end; empty: only drawn
+  std::string_view name = {};  ///< drawn at the end of the trace; empty: no name
   bool name_above = false;
-  std::span<const std::size_t> gaps = {};  ///< the points with a gap before them, in order
+  std::span<const std::size_t> gaps = {};  ///< indices of the points with a gap before them, in order
 };
 /// A dotted vertical line with words beside it.
 struct PlotMark {
@@ -27,7 +27,7 @@ struct PlotMark {
 
 struct PlotRange {
   float min = 0, max = 1;
-  /// Adds some room above and below; never empty.
+  /// Adds `share` of the range above and below. The range is never empty afterwards.
   void widen(float share);
   void take(std::span<const float> values);
   [[nodiscard]] float share(float value) const { return (value - min) / (max - min); }
@@ -45,19 +45,19 @@ struct PlotOptions {
   float width = fill, height = 160;
 };
 
-/// The mouse position, shared by the plots of one group: the cursor goes through all.
+/// The cursor under the mouse, shared by the plots of a group: all of them show it.
 struct PlotCursor {
   bool shown = false;
   float x = 0;
   std::size_t of = 0;  ///< the plot that the mouse is over
 };
 
-/// Draws at ImGui's cursor. Ids: `id`, and `id/cursor` while the mouse is over it. `cursor` is shared by
-/// plots under each other; each sets it while the mouse is over it.
+/// Draws at ImGui's cursor. Ids: `id`, and `id/cursor` while the mouse is over the plot. Plots below each
+/// other share `cursor`; the plot under the mouse sets it.
 void plot(Ui& ui, std::string_view id, std::string_view label, std::span<const PlotTrace> traces,
           const PlotOptions& options, PlotCursor& cursor);
 
-/// 1, 2 or 5 times a power of ten: at most `most` lines over the range.
+/// The distance of grid lines: 1, 2 or 5 times a power of ten, with at most `most` lines over the range.
 double grid_step(PlotRange range, int most);
 /// The value of a trace at `x`, interpolated; false outside of the trace.
 bool value_at(const PlotTrace& trace, float x, float& value);

@@ -42,7 +42,7 @@ void bring_to_front() {
     if (popup.Window) ImGui::BringWindowToDisplayFront(popup.Window);
 }
 
-/// A separate window over the border, since the parts on both sides extend up to it.
+/// The border needs a window of its own, because the parts on both sides reach up to it.
 static void begin_border(std::string_view id, const Rect& hit) {
   char name[64];
   std::snprintf(name, sizeof name, "##%.*s", static_cast<int>(id.size()), id.data());

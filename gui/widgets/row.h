@@ -13,7 +13,7 @@ struct Column {
   bool right = false;  ///< numbers
 };
 
-/// The places of the columns within a line.
+/// Places the columns within a line.
 class Columns {
  public:
   Columns(const Ui& ui, std::span<const Column> columns, float left_px, float right_px);
@@ -27,7 +27,7 @@ class Columns {
   float left_ = 0, right_ = 0, share_ = 0, scale_ = 1;
 };
 
-/// Titles in a row of 32.
+/// Draws the titles in a row 32 high.
 void table_head(Ui& ui, const Columns& columns);
 
 struct RowOptions {
@@ -39,8 +39,8 @@ struct RowOptions {
   std::string_view value = {};
   std::string_view disabled = {};
 };
-/// Background of a row over the full width of the window; the panel draws into touch.rect. For rows that hold
-/// controls: set `pressable` to false, or draw the controls after SetItemAllowOverlap.
+/// The background of a row over the full width of the window; the panel draws into touch.rect. If the row
+/// contains controls, set `pressable` to false, or draw them after SetItemAllowOverlap.
 Touch row(Ui& ui, std::string_view id, std::string_view label, const RowOptions& options = {});
 
 }  // namespace hw::gui

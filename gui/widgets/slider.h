@@ -1,6 +1,6 @@
 #pragma once
-// The speed slider: a line with a grip of 16 x 24. The mouse drags or clicks; with the focus ring, + and -
-// step.
+// The speed slider: a line with a grip of 16 x 24. The mouse drags the grip or clicks on the line; + and -
+// step a focused slider.
 #include <string_view>
 
 #include "gui/widgets/touch.h"
@@ -9,8 +9,8 @@ namespace hw::gui {
 
 struct SliderOptions {
   double min = 0, max = 1;
-  double step = 0;           ///< of + and -, and of rounding; 0: a hundredth of the range
-  double normal = -1;        ///< within the range: set by a double click
+  double step = 0;           ///< step of + and -, to which values are rounded; 0: a hundredth of the range
+  double normal = -1;        ///< a double click sets it if it is within the range
   bool logarithmic = false;  ///< for speeds over decades; `min` must be above 0
   std::string_view disabled = {};
   std::string_view tip = {};

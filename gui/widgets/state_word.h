@@ -1,5 +1,6 @@
 #pragma once
-// The state of an axis or controller by shape, word and colour at once: a grey print must still be readable.
+// The state of an axis or controller by shape, word and colour together, so that it can be read without
+// colour.
 #include <string_view>
 
 #include "gui/model/axis_look.h"
@@ -16,10 +17,10 @@ struct StateLook {
 };
 const StateLook& look_of(State state);
 
-/// Width of shape and word, in pixels.
+/// The width of shape and word together, in pixels.
 float state_word_width(const Ui& ui, State state, Face face);
-/// At an exact place: ends at `right.x`, in a line of the face. Registers `id` when it is not empty. With
-/// less than `room_px` it uses smaller type, then only the shape.
+/// Draws the state in a line of the face that ends at `right.x`. Registers `id` when it is not empty. If the
+/// state is wider than `room_px`, it is drawn in smaller type, then as the shape alone.
 void draw_state_right(Ui& ui, std::string_view id, ImVec2 right, State state, Face face = Face::title_bold,
                       float room_px = 1e6f);
 

@@ -43,7 +43,7 @@ Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, floa
     if (fits_in_words(ui, tab, width)) {
       end -= std::ceil(text_width(ui, Face::small_bold, tab_badge_word));
       draw_text_line(ui, end, t.rect.max.x, second, Face::small_bold, ui[Tone::emu], tab_badge_word);
-    } else {  // its shape, so that the state is not cut
+    } else {  // only its shape fits without cutting the state
       end -= ui.px(12);
       draw_icon(list, Icon::emulated, ImVec2(end + ui.px(6), second), ui.px(11), ui[Tone::emu]);
     }
@@ -62,8 +62,8 @@ int panel_tabs(Ui& ui, std::span<const PanelTab> tabs, int active) {
     return std::ceil(text_width(ui, i == active ? Face::body_bold : Face::body_medium,
                                 tabs[static_cast<std::size_t>(i)].name));
   };
-  // With too little room the tabs move closer. If that is not enough, the chosen tab is centred, so that all
-  // can be reached.
+  // Tabs that do not fit move closer. If they still do not fit, the chosen tab is centred, so that all can be
+  // reached.
   const float room = window->InnerRect.Max.x - at.x;
   float bare = 0;
   for (int i = 0; i < static_cast<int>(tabs.size()); ++i) bare += words_of(i);

@@ -16,8 +16,8 @@ struct ControllerTab {
   bool emulated = false;
   bool active = false;
 };
-/// Fills the height of the top bar (56) at the cursor and ends with a hairline at its right. EMULATED stands
-/// there in words where it has room beside the state, else as its shape.
+/// A tab of the top bar's height (56) at the cursor, with a hairline at its right. EMULATED is written out if
+/// it fits beside the state; otherwise only its shape is shown.
 Touch controller_tab(Ui& ui, std::string_view id, const ControllerTab& tab, float width = 176);
 
 struct PanelTab {
@@ -25,8 +25,8 @@ struct PanelTab {
   std::string_view name;  ///< "Program"
   std::string_view disabled = {};
 };
-/// A row of 40 with a hairline below. Returns the index just chosen, or -1. When too long, it scrolls with
-/// the wheel.
+/// A row 40 high with a hairline below. A row that is too long scrolls with the mouse wheel. Returns the
+/// index chosen in this frame, or -1.
 int panel_tabs(Ui& ui, std::span<const PanelTab> tabs, int active);
 
 }  // namespace hw::gui

@@ -11,12 +11,12 @@ constexpr std::string_view ellipsis = "\xE2\x80\xA6";
 
 ImVec2 snapped(ImVec2 at) { return ImVec2(std::floor(at.x), std::floor(at.y)); }
 
-/// Where the font's box starts within the face's line, which is higher.
+/// Top of the font's box within the line of the face, which is higher.
 float box_top(const Ui& ui, Face face, float line_px) {
   return std::floor((line_px - ui.font(face)->FontSize) * 0.5f + 0.5f);
 }
 
-/// A refusal is never covered by the tip of the field that it is about.
+/// Keeps the tip of a field off the refusal of its number.
 void keep_clear(const Ui& ui, ImVec2 at, ImVec2 end) {
   const ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 first = list->GetClipRectMin(), last = list->GetClipRectMax();
@@ -29,7 +29,7 @@ void keep_clear(const Ui& ui, ImVec2 at, ImVec2 end) {
 
 float text_width(const Ui& ui, Face face, std::string_view s) {
   ImFont* font = ui.font(face);
-  if (s.empty()) return 0;  // an empty view may have a null address, and ImGui would search for the end
+  if (s.empty()) return 0;  // with a null address ImGui would search for the end
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, s.data(), s.data() + s.size()).x;
 }
 
@@ -61,7 +61,7 @@ void draw_text_centred(const Ui& ui, const Rect& in, Face face, ImU32 colour, st
 void draw_text_line(const Ui& ui, float left, float right, float centre_y, Face face, ImU32 colour,
                     std::string_view s) {
   const ImVec2 at(left, std::floor(centre_y - ui.line(face) * 0.5f + 0.5f));
-  // No character but a tab is wider than its font is high: a short text need not be measured.
+  // Only a tab is wider than its font is high, so a short text without tabs need not be measured.
   const bool is_short = left + static_cast<float>(s.size()) * ui.font(face)->FontSize <= right &&
                         s.find('\t') == std::string_view::npos;
   if (is_short || left + text_width(ui, face, s) <= right) return draw_text(ui, at, face, colour, s);
@@ -196,7 +196,7 @@ void section_title(Ui& ui, std::string_view title, std::string_view caption, flo
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float h = ui.px(height), width = ImGui::GetContentRegionAvail().x;
   draw_text_line(ui, at.x, at.x + width, at.y + h * 0.5f, Face::body_bold, ui[Tone::ink], title);
-  if (!caption.empty()) {  // at the right, cut where it would reach the title
+  if (!caption.empty()) {  // right-aligned, cut before the title
     const float first = at.x + std::ceil(text_width(ui, Face::body_bold, title)) + ui.px(8);
     const float wanted = at.x + width - std::ceil(text_width(ui, Face::small, caption));
     draw_text_line(ui, std::max(first, wanted), at.x + width + 1, at.y + h * 0.5f + 1, Face::small,
@@ -208,7 +208,7 @@ void section_title(Ui& ui, std::string_view title, std::string_view caption, flo
 void key_value(Ui& ui, std::string_view id, std::string_view key, std::string_view value, Tone tone) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, h = ui.px(24);
-  // A long value leaves room for the key, and is cut.
+  // A long value is cut, so that the key stays whole.
   const float key_width = std::min(std::ceil(text_width(ui, Face::body, key)), std::floor(width * 0.6f));
   const float value_width =
       std::min(std::ceil(text_width(ui, Face::body, value)), width - key_width - ui.px(8));
@@ -231,7 +231,7 @@ void key_value(Ui& ui, std::string_view id, std::string_view key, std::string_vi
 
 namespace {
 
-/// How much of what must stay legible a rectangle covers. A Stop counts most.
+/// The area that a rectangle covers of widgets that must stay legible. A Stop counts most.
 float covered(const Ui& ui, ImVec2 at, ImVec2 size) {
   constexpr float of_a_stop = 100;
   float area = 0;
@@ -250,7 +250,8 @@ float covered(const Ui& ui, ImVec2 at, ImVec2 size) {
   return area;
 }
 
-/// Under `of`; else over it, or left of it, wherever it covers least of what is kept clear.
+/// The tooltip's place is below `of`, above it or left of it: the place that covers least of the areas kept
+/// clear.
 ImVec2 tooltip_place(const Ui& ui, const Rect& of, ImVec2 size) {
   const float apart = ui.px(6), over = of.min.y - apart - size.y, under = of.max.y + apart;
   const float left = of.min.x - ui.px(24) - size.x, middle = std::floor(of.centre().y - size.y / 2);

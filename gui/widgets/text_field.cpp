@@ -9,7 +9,7 @@
 namespace hw::gui {
 namespace {
 
-struct Call {  // what ImGui's callback uses
+struct Call {  // data for ImGui's callback
   std::string* text;
   const LineHelp* help;
   bool tab;
@@ -67,13 +67,13 @@ struct Insets {
   float left, right;
 };
 
-/// A number is never cut to fit its unit.
+/// The unit is left out when the number would be cut.
 bool unit_fits(const Ui& ui, float width, const std::string& text, const FieldOptions& o) {
   const float unit = std::ceil(text_width(ui, Face::small, o.unit)) + ui.px(6);
   return std::ceil(text_width(ui, value_face(o), text)) + unit + ui.px(20) <= width;
 }
 
-/// Place of the text within the frame. ImGui has no right alignment: the left padding provides it.
+/// The insets of the text within the frame. ImGui has no right alignment, so the left padding provides it.
 Insets insets_of(const Ui& ui, float width, const std::string& text, const FieldOptions& o) {
   Insets in{ui.px(10), ui.px(10)};
   if (o.prompt != Icon::none) in.left += ui.px(14);
@@ -83,8 +83,8 @@ Insets insets_of(const Ui& ui, float width, const std::string& text, const Field
   return in;
 }
 
-/// ImGui edits its own copy, and would overwrite a text that the panel has set meanwhile: a number in another
-/// unit, or the controller's new value. A copy selected whole stays selected.
+/// ImGui edits a copy of its own and would overwrite a text that the panel has set meanwhile, such as a
+/// number in another unit or a new value of the controller. A text selected whole stays selected.
 void follow_text(const std::string& text) {
   const ImGuiID item = ImGui::GetID("");
   auto* const state = ImGui::GetInputTextState(item);
@@ -119,9 +119,9 @@ bool edit(Ui& ui, const Rect& r, std::string& text, const FieldOptions& o, const
   auto* const state = ImGui::GetInputTextState(ImGui::GetItemID());
   if (state && o.whole && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0)) {
     state->SelectAll();
-    state->SelectedAllMouseLock = true;  // a trembling hand does not change the selection
+    state->SelectedAllMouseLock = true;  // a small movement of the mouse must not change the selection
   }
-  // A text that fits is not scrolled: the left padding follows a right-aligned text one frame later.
+  // A text that fits must not scroll: the left padding follows a right-aligned text one frame late.
   if (state && o.right &&
       std::ceil(text_width(ui, value_face(o), text)) + ui.px(20) <= r.width() - in.right + ui.px(10))
     state->ScrollX = 0;
@@ -183,7 +183,7 @@ Field text_field(Ui& ui, std::string_view id, std::string_view label, std::strin
   ImGui::Dummy(ImVec2(r.width(), r.height()));
   const bool over = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   if (over && enabled) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
-  // The unit and the insets belong to the field's hit area, though not to ImGui's item.
+  // A press on the unit or the insets counts too, although they are outside of ImGui's item.
   if (over && enabled && !f.typing && ImGui::IsMouseClicked(0)) ui.focus.move_to(id);
   ImGui::PopID();
   draw_extras(ui, r, text, o, in, f.typing);

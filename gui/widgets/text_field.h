@@ -1,6 +1,6 @@
 #pragma once
-// A line of text. The panel owns the text: typed text is kept when the focus is lost, and a text set by the
-// panel holds, whichever widget has the caret.
+// A line of text. The panel owns the text. Typed text is kept when the field loses the focus. The panel may
+// set the text at any time, even while the field has the caret.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -10,8 +10,8 @@
 
 namespace hw::gui {
 
-/// The effect of Up, Down and Tab while typing into a field (terminal). Each returns true when it changed
-/// `text`.
+/// Handles Up, Down and Tab while the user types into a field, as in the terminal. Each function returns true
+/// when it changed `text`.
 struct LineHelp {
   std::function<bool(std::string& text, int direction)> history;         ///< -1 older, +1 newer
   std::function<bool(std::string& text, std::size_t& cursor)> complete;  ///< Tab

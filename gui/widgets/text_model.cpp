@@ -17,7 +17,7 @@ TextPlace end_of(TextPlace at, std::string_view text) {
   return {at.line + newlines, static_cast<int>(text.size() - text.rfind('\n') - 1)};
 }
 
-/// Files of other systems end lines with CR LF or CR.
+/// Files from other systems end their lines with CR LF or CR.
 std::string with_unix_lines(std::string_view text) {
   std::string out;
   out.reserve(text.size());
@@ -59,7 +59,7 @@ TextPlace TextModel::clamp(TextPlace p) const {
   return p;
 }
 
-std::string TextModel::text_of(const Stretch& s) const {
+std::string TextModel::text_of(const TextRange& s) const {
   const auto part = [&](int i, int from, int to) {
     return std::string_view(line(i)).substr(static_cast<std::size_t>(from),
                                             static_cast<std::size_t>(to - from));
@@ -94,8 +94,8 @@ TextPlace TextModel::at_column(int line_index, int wanted) const {
   return {line_index, static_cast<int>(i)};
 }
 
-Stretch TextModel::selection() const {
-  return caret_ < anchor_ ? Stretch{caret_, anchor_} : Stretch{anchor_, caret_};
+TextRange TextModel::selection() const {
+  return caret_ < anchor_ ? TextRange{caret_, anchor_} : TextRange{anchor_, caret_};
 }
 
 void TextModel::move_to(TextPlace to, bool extend) {
@@ -144,7 +144,7 @@ void TextModel::left(Step step, bool extend) {
     case Step::text_end: return move_to({0, 0}, extend);
     case Step::line_end: break;
   }
-  // First to the first letter, then to the line start.
+  // Home goes to the first letter, then to the start of the line.
   const std::size_t indent = std::min(line(caret_.line).find_first_not_of(" \t"), line(caret_.line).size());
   move_to({caret_.line, caret_.byte == static_cast<int>(indent) ? 0 : static_cast<int>(indent)}, extend);
 }
@@ -211,7 +211,7 @@ TextPlace TextModel::put(TextPlace at, std::string_view text) {
   return end_of(at, text);
 }
 
-void TextModel::cut(const Stretch& s) {
+void TextModel::cut(const TextRange& s) {
   std::string& first = lines_[static_cast<std::size_t>(s.begin.line)];
   const std::string tail = line(s.end.line).substr(static_cast<std::size_t>(s.end.byte));
   first.resize(static_cast<std::size_t>(s.begin.byte));
@@ -219,11 +219,11 @@ void TextModel::cut(const Stretch& s) {
   lines_.erase(lines_.begin() + s.begin.line + 1, lines_.begin() + s.end.line + 1);
 }
 
-bool TextModel::joins(const Edit& last, const Stretch& what, std::string_view by) const {
+bool TextModel::joins(const Edit& last, const TextRange& what, std::string_view by) const {
   return last.typing && what.begin == what.end && by != "\n" && what.begin == end_of(last.at, last.added);
 }
 
-void TextModel::apply(const Stretch& what, std::string_view by, bool typing) {
+void TextModel::apply(const TextRange& what, std::string_view by, bool typing) {
   if (what.begin == what.end && by.empty()) return;
   if (typing && !done_.empty() && joins(done_.back(), what, by)) {
     done_.back().added += by;
@@ -243,22 +243,22 @@ void TextModel::insert(std::string_view typed) {
 }
 
 void TextModel::backspace(bool word) {
-  apply(has_selection() ? selection() : Stretch{word ? word_before(caret_) : before(caret_), caret_}, {},
+  apply(has_selection() ? selection() : TextRange{word ? word_before(caret_) : before(caret_), caret_}, {},
         false);
 }
 
 void TextModel::erase(bool word) {
-  apply(has_selection() ? selection() : Stretch{caret_, word ? word_after(caret_) : after(caret_)}, {},
+  apply(has_selection() ? selection() : TextRange{caret_, word ? word_after(caret_) : after(caret_)}, {},
         false);
 }
 
-void TextModel::replace(const Stretch& what, std::string_view by) {
+void TextModel::replace(const TextRange& what, std::string_view by) {
   apply({clamp(what.begin), clamp(what.end)}, with_unix_lines(by), false);
 }
 
 TextModel::Lines TextModel::chosen_lines() const {
-  const Stretch chosen = selection();
-  // A selection that ends before the first letter of a line does not include that line.
+  const TextRange chosen = selection();
+  // A selection that ends at the start of a line does not include that line.
   const bool before_it = chosen.end.byte == 0 && chosen.end.line > chosen.begin.line;
   return {chosen.begin.line, chosen.end.line - before_it};
 }
@@ -270,13 +270,13 @@ void TextModel::change_lines(const Lines& which, Change change) {
     if (i > which.first) changed += '\n';
     change(changed, std::string_view(line(i)));
   }
-  const Stretch whole{{which.first, 0}, {which.last, static_cast<int>(line(which.last).size())}};
+  const TextRange whole{{which.first, 0}, {which.last, static_cast<int>(line(which.last).size())}};
   if (changed == text_of(whole)) return;
   TextPlace caret = caret_, anchor = anchor_;
   const auto size_of = [this](const TextPlace& p) { return static_cast<int>(line(p.line).size()); };
   const int caret_line = size_of(caret), anchor_line = size_of(anchor);
   replace(whole, changed);
-  // Both stay at their letter, except at the beginning of the line.
+  // Caret and anchor stay at their letter, except at the beginning of the line.
   if (caret.byte > 0) caret.byte = std::max(0, caret.byte + size_of(caret) - caret_line);
   if (anchor.byte > 0) anchor.byte = std::max(0, anchor.byte + size_of(anchor) - anchor_line);
   caret_ = clamp(caret);
@@ -354,7 +354,7 @@ std::optional<int> TextModel::find_in_line(std::string_view needle, int line_ind
   return static_cast<int>(hit - l.begin());
 }
 
-std::optional<Stretch> TextModel::find(std::string_view needle, TextPlace from, bool forward) const {
+std::optional<TextRange> TextModel::find(std::string_view needle, TextPlace from, bool forward) const {
   if (needle.empty()) return {};
   const int n = line_count(), size = static_cast<int>(needle.size());
   for (int i = 0; i <= n; ++i) {
@@ -362,7 +362,7 @@ std::optional<Stretch> TextModel::find(std::string_view needle, TextPlace from, 
     const int all = static_cast<int>(line(at).size());
     const int start = i == 0 ? from.byte : forward ? 0 : all;
     if (const std::optional<int> hit = find_in_line(needle, at, start, forward))
-      return Stretch{{at, *hit}, {at, *hit + size}};
+      return TextRange{{at, *hit}, {at, *hit + size}};
   }
   return {};
 }

@@ -1,6 +1,6 @@
 #pragma once
-// A text of lines with a caret, a selection and undo. Knows nothing of drawing. Places count bytes within a
-// line and are always between characters.
+// A text of lines with a caret, a selection and undo, without any drawing. A place is a line and a byte
+// within it, always between two characters.
 #include <compare>
 #include <cstdint>
 #include <optional>
@@ -14,9 +14,9 @@ struct TextPlace {
   int line = 0, byte = 0;
   auto operator<=>(const TextPlace&) const = default;
 };
-struct Stretch {
+struct TextRange {
   TextPlace begin, end;
-  bool operator==(const Stretch&) const = default;
+  bool operator==(const TextRange&) const = default;
 };
 
 class TextModel {
@@ -34,9 +34,9 @@ class TextModel {
   // ---- caret and selection
   [[nodiscard]] TextPlace caret() const { return caret_; }
   [[nodiscard]] bool has_selection() const { return caret_ != anchor_; }
-  [[nodiscard]] Stretch selection() const;
+  [[nodiscard]] TextRange selection() const;
   [[nodiscard]] std::string selected() const { return text_of(selection()); }
-  /// `extend`: the selection's other end stays.
+  /// `extend` keeps the other end of the selection.
   void move_to(TextPlace to, bool extend);
   enum class Step : std::uint8_t { character, word, line_end, text_end };
   void left(Step step, bool extend);
@@ -46,25 +46,25 @@ class TextModel {
   void select_word();  ///< around the caret
   void select_line();
 
-  // ---- changes; each one is one undo step, except that typed characters join
+  // ---- changes; each is one undo step; typed characters join into one
   void insert(std::string_view typed);
   void backspace(bool word);
   void erase(bool word);
-  void replace(const Stretch& what, std::string_view by);
-  /// Puts `mark` before each selected line, or removes it when all have it. Empty lines are left alone.
+  void replace(const TextRange& what, std::string_view by);
+  /// Puts `mark` before each selected line, or removes it when all lines have it. Empty lines stay empty.
   void toggle_comment(std::string_view mark);
   /// Moves the selected lines by two columns to the right, or (direction < 0) back.
   void indent(int direction);
   bool undo();
   bool redo();
 
-  /// The next place after (before) `from`, wrapping around; ignores case.
-  [[nodiscard]] std::optional<Stretch> find(std::string_view needle, TextPlace from, bool forward) const;
-  [[nodiscard]] std::string text_of(const Stretch& s) const;
+  /// The next match after (before) `from`, wrapping around. Case is ignored.
+  [[nodiscard]] std::optional<TextRange> find(std::string_view needle, TextPlace from, bool forward) const;
+  [[nodiscard]] std::string text_of(const TextRange& s) const;
   /// The nearest existing place.
   [[nodiscard]] TextPlace clamp(TextPlace p) const;
   [[nodiscard]] TextPlace end() const;
-  /// Characters before a byte, a tab counting four; and the reverse.
+  /// Converts between a byte and a column; a tab counts as four columns.
   [[nodiscard]] int column(TextPlace p) const;
   [[nodiscard]] TextPlace at_column(int line, int column) const;
   static constexpr int tab_columns = 4;
@@ -80,13 +80,13 @@ class TextModel {
     int first, last;
   };
   [[nodiscard]] Lines chosen_lines() const;
-  /// Replaces each of these lines by the output of `change(out, line)`: one undo step.
+  /// Replaces each of these lines by the output of `change(out, line)`, in one undo step.
   template <class Change>
   void change_lines(const Lines& which, Change change);
   TextPlace put(TextPlace at, std::string_view text);
-  void cut(const Stretch& s);
-  void apply(const Stretch& what, std::string_view by, bool typing);
-  [[nodiscard]] bool joins(const Edit& last, const Stretch& what, std::string_view by) const;
+  void cut(const TextRange& s);
+  void apply(const TextRange& what, std::string_view by, bool typing);
+  [[nodiscard]] bool joins(const Edit& last, const TextRange& what, std::string_view by) const;
   [[nodiscard]] TextPlace before(TextPlace p) const;
   [[nodiscard]] TextPlace after(TextPlace p) const;
   [[nodiscard]] TextPlace word_before(TextPlace p) const;

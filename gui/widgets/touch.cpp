@@ -13,7 +13,7 @@ namespace {
 constexpr double not_taken_shown_s = 2;
 
 void add_to_registry(Ui& ui, const About& about, const Rect& rect, bool hovered,
-                     const Standing::Place* place = nullptr) {
+                     const PressGuard::Button* place = nullptr) {
   Widget w;
   w.id = about.id;
   w.label = about.label;
@@ -29,8 +29,8 @@ void add_to_registry(Ui& ui, const About& about, const Rect& rect, bool hovered,
   w.stops = about.stops;
   w.card = about.card;
   if (place) {
-    w.stands_since_s = place->since_s;
-    w.not_taken = place->not_taken_until_s > ui.now_s;
+    w.settled_since_s = place->since_s;
+    w.press_ignored = place->ignored_until_s > ui.now_s;
   }
   w.hovered = hovered;
   ui.registry.add(w);
@@ -58,33 +58,33 @@ void press_by_keyboard(Ui& ui, std::string_view id, Touch& t) {
   if (t.armed) ui.wake_in(2.0);
 }
 
-/// A press on a widget that has only just come under the pointer is ignored, and so is its release.
-void refuse_early_press(Ui& ui, std::string_view id, Standing::Place& place, Touch& t) {
-  if (t.started) place.not_taken_until_s = 0;
+/// Ignores a press, and its release, on a widget that has just moved under the pointer.
+void refuse_early_press(Ui& ui, std::string_view id, PressGuard::Button& place, Touch& t) {
+  if (t.started) place.ignored_until_s = 0;
   if (t.started && place.too_early(t.pressed_at_s)) {
     gui_log().debug("a press on {} is ignored: it was {} only a moment ago", id,
-                    place.came_alive ? "enabled" : "placed here");
-    place.not_taken_until_s = ui.now_s + not_taken_shown_s;
+                    place.became_ready ? "enabled" : "placed here");
+    place.ignored_until_s = ui.now_s + not_taken_shown_s;
     ImGui::ClearActiveID();
     t.started = t.held = t.clicked = t.double_clicked = false;
   }
-  t.not_taken = place.not_taken_until_s > ui.now_s;
-  if (t.not_taken) ui.wake_in(place.not_taken_until_s - ui.now_s);
+  t.press_ignored = place.ignored_until_s > ui.now_s;
+  if (t.press_ignored) ui.wake_in(place.ignored_until_s - ui.now_s);
 }
 
-std::string_view why_not_taken(const Standing::Place& place) {
-  return place.came_alive ? "Ignored: it was enabled only a moment ago. Press again."
-                          : "Ignored: it appeared here only a moment ago. Press again.";
+std::string_view why_ignored(const PressGuard::Button& place) {
+  return place.became_ready ? "Press again: it was enabled only a moment ago."
+                            : "Press again: it appeared here only a moment ago.";
 }
 
-/// Shows why it cannot be pressed, what it does, or why a press had no effect.
-void show_tip(Ui& ui, const About& about, const Touch& t, bool over, const Standing::Place* place) {
+/// The tip says why the widget is disabled, what it does, or why a press had no effect.
+void show_tip(Ui& ui, const About& about, const Touch& t, bool over, const PressGuard::Button* place) {
   const std::string_view shown = !t.enabled ? about.disabled : about.tip;
   const bool shown_for_ring = t.ring && !t.armed && !t.enabled;
   if (t.armed)
     tooltip(ui, "Press again within two seconds: this moves something.", &t.rect);
-  else if (t.not_taken)
-    tooltip(ui, why_not_taken(*place), &t.rect);
+  else if (t.press_ignored)
+    tooltip(ui, why_ignored(*place), &t.rect);
   else if (!shown.empty() && !t.held && (over || shown_for_ring))
     tooltip(ui, shown, over ? nullptr : &t.rect);
 }
@@ -95,7 +95,7 @@ Touch touch(Ui& ui, const About& about, ImVec2 size) {
   Touch t;
   t.enabled = about.disabled.empty();
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  // A narrow window at a large scale leaves no room: ImGui rejects an empty size.
+  // In a narrow window at a large scale the size may be empty, which ImGui rejects.
   size = ImVec2(std::max(size.x, 1.0f), std::max(size.y, 1.0f));
   t.rect = {at, ImVec2(at.x + size.x, at.y + size.y)};
   const char* begin = about.id.data();
@@ -103,10 +103,10 @@ Touch touch(Ui& ui, const About& about, ImVec2 size) {
   const bool pressed = ImGui::InvisibleButton("", size);
   const bool over = about.always ? t.rect.contains(ImGui::GetIO().MousePos) : ImGui::IsItemHovered();
   t.hovered = over;
-  Standing::Place* place = nullptr;
+  PressGuard::Button* place = nullptr;
   if (about.moving) {
     const bool uncovered = GImGui->BeginPopupStack.Size >= ui.registry.top_layer();
-    place = &ui.standing.see(ImGui::GetID(""), t.rect, t.enabled && uncovered, ui.now_s);
+    place = &ui.press_guard.see(ImGui::GetID(""), t.rect, t.enabled && uncovered, ui.now_s);
   }
   if (t.enabled) {
     t.clicked = about.always ? over && ImGui::IsMouseClicked(0) : pressed;
@@ -141,7 +141,7 @@ void draw_fill(Ui& ui, const Rect& r, ImU32 colour, float rounding) {
 }
 
 void draw_outline(Ui& ui, const Rect& r, ImU32 colour, float rounding, float width) {
-  // ImGui's AddRect draws around (min + 0.5, max - 0.5): whole pixels for odd widths.
+  // ImGui's AddRect draws around (min + 0.5, max - 0.5), which gives whole pixels for odd widths.
   const float w = width > 0 ? width : ui.hair();
   const float inset = (w - 1) * 0.5f;
   ImGui::GetWindowDrawList()->AddRect(ImVec2(r.min.x + inset, r.min.y + inset),
@@ -150,7 +150,7 @@ void draw_outline(Ui& ui, const Rect& r, ImU32 colour, float rounding, float wid
 }
 
 void draw_ring(Ui& ui, const Touch& t) {
-  if (t.not_taken) draw_dashed_outline(ui, t.rect, ui[Tone::warn]);
+  if (t.press_ignored) draw_dashed_outline(ui, t.rect, ui[Tone::warn]);
   if (!t.ring) return;
   const float out = ui.px(4), w = ui.px(2);
   const Rect r{ImVec2(t.rect.min.x - out, t.rect.min.y - out),

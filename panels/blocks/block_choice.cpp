@@ -35,7 +35,7 @@ void BlockChoice::extend(sequence::StepPath path) {
 
 void BlockChoice::extend(const sequence::Editor& editor, int by) {
   if (!head_) return;
-  // Within the list that contains all of them, however deep the head is inside it.
+  // Works in the list that contains all chosen blocks, however deep the head is inside it.
   const std::size_t level = span().first.size();
   sequence::StepPath next(head_->begin(), head_->begin() + static_cast<std::ptrdiff_t>(level));
   if (by < 0 && next.back() == 0) return;

@@ -1,5 +1,6 @@
 #pragma once
-// The chosen blocks of the list: none (a new block is added at the end), one, or several consecutive ones.
+// The chosen blocks of the list: none (a new block is added at the end), a single block, or several
+// consecutive blocks.
 #include <cstdint>
 #include <optional>
 
@@ -14,14 +15,14 @@ class BlockChoice {
   void follow(const sequence::Editor& editor, BlockRows& rows);
   void choose(std::optional<sequence::StepPath> path) { head_ = std::move(path), anchor_.reset(); }
   void choose(const sequence::StepSpan& span);
-  /// Extends the choice from the block chosen first to this one, as Shift does.
+  /// Extends the choice from the block chosen first to the block at `path`, as Shift does.
   void extend(sequence::StepPath path);
   /// Extends the choice by one block up or down within its list.
   void extend(const sequence::Editor& editor, int by);
 
-  /// The block touched last; while several are chosen, its fields are hidden.
+  /// The block touched last. Its fields are hidden while several blocks are chosen.
   [[nodiscard]] const std::optional<sequence::StepPath>& head() const { return head_; }
-  /// The chosen blocks; at least one must be chosen.
+  /// The chosen blocks. At least one block must be chosen.
   [[nodiscard]] sequence::StepSpan span() const;
   [[nodiscard]] bool any() const { return head_.has_value(); }
   [[nodiscard]] bool several() const { return head_ && span().count > 1; }

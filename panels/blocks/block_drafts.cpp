@@ -19,7 +19,7 @@ void BlockDrafts::follow(const seq::Editor& editor, const BlockRows& rows) {
   std::sort(kept_.begin(), kept_.end(), [](const Kept& a, const Kept& b) { return a.row < b.row; });
 }
 
-/// The present place of its block: unchanged, else the first block with the same content.
+/// Finds the present place of the block: the old place, else the first block with the same content.
 void BlockDrafts::place(Kept& kept, const seq::Editor& editor, const BlockRows& rows) {
   const auto is_it = [&kept](const seq::Step* step) { return step && kept.draft.is_of(step->body); };
   kept.row = is_it(editor.at(kept.path)) ? rows.row_of(kept.path) : -1;
@@ -35,7 +35,7 @@ void BlockDrafts::keep(const seq::StepPath& of, StepForm::Draft draft) {
   if (draft.problem.empty()) return;
   std::erase_if(kept_, [&of](const Kept& kept) { return kept.path == of; });
   kept_.push_back({of, std::move(draft)});
-  version_ = ~std::uint64_t{0};  // its row is found with the others
+  version_ = ~std::uint64_t{0};  // the next follow() finds its row
 }
 
 StepForm::Draft BlockDrafts::take(const seq::StepPath& of) {

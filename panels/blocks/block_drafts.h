@@ -1,6 +1,6 @@
 #pragma once
-// Rejected input in the fields of blocks, kept while another block is chosen. Nothing runs before the input
-// is corrected. It reappears when its block is opened.
+// Keeps rejected input in the fields of blocks while another block is chosen. The input reappears when its
+// block is opened. The blocks cannot run before it is corrected.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -13,11 +13,11 @@ namespace hw::panels {
 
 class BlockDrafts {
  public:
-  /// Call once a frame and after each change. Finds blocks that have moved again, and forgets those that are
-  /// gone or were changed in another way.
+  /// Call once a frame and after each change. Finds blocks that have moved, and drops the drafts of blocks
+  /// that were removed or changed in another way.
   void follow(const sequence::Editor& editor, const BlockRows& rows);
   void keep(const sequence::StepPath& of, StepForm::Draft draft);
-  /// Empty: no draft.
+  /// Takes the draft of a block out of here; empty: it has none.
   StepForm::Draft take(const sequence::StepPath& of);
   void forget() { kept_.clear(); }
 

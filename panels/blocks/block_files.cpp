@@ -40,8 +40,8 @@ void BlockFiles::ask_or_open(Frame& f, const std::filesystem::path& path) {
 
 void BlockFiles::open(Frame& f, const std::filesystem::path& path) {
   Desk& desk = f.tab.desk();
-  f.withdraw(&desk.blocks);  // why the last one was not opened or saved
-  desk.worker().run(
+  f.withdraw(&desk.blocks);  // the message why the last file was not opened or saved
+  desk.work.worker().run(
       [path]() -> Result<sequence::Sequence> {
         constexpr std::uintmax_t largest = 64u << 20;
         const auto text = read_file(path, largest);
@@ -52,13 +52,13 @@ void BlockFiles::open(Frame& f, const std::filesystem::path& path) {
         if (!sequence) return console.toast(Severity::fault, sequence.error().sentence(), &blocks);
         blocks.opened(path, std::move(*sequence));
       },
-      desk.alive());
+      desk.work.alive());
 }
 
 void BlockFiles::save(Frame& f, const std::filesystem::path& path) {
   Desk& desk = f.tab.desk();
   f.withdraw(&desk.blocks);
-  desk.worker().run(
+  desk.work.worker().run(
       [path, sequence = desk.blocks.editor.shared()] {
         return write_file(path, sequence::write_sequence(*sequence));
       },
@@ -68,10 +68,10 @@ void BlockFiles::save(Frame& f, const std::filesystem::path& path) {
         blocks.saved(path, version);
         console.toast(Severity::ok, fmt::format("Saved as {}.", path.string()));
       },
-      desk.alive());
+      desk.work.alive());
 }
 
-/// "Open", or its icon.
+/// The look of "Open" or "Save", with or without its word.
 static ButtonOptions look_of_file(Icon icon, const char* label, bool wordless) {
   ButtonOptions look{.style = ButtonStyle::quiet, .height = 40};
   if (wordless) look.icon = icon, look.tip = label, look.wordless = true;

@@ -1,5 +1,5 @@
 #pragma once
-// Blocks and their file. Ids: `blocks/open`, `blocks/save`, `blocks/discard`.
+// Opens and saves blocks. Ids: `blocks/open`, `blocks/save`, `blocks/discard`.
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -13,13 +13,13 @@ class BlockFiles {
  public:
   /// Call once a frame. Handles files dropped on the window, and the chords.
   void follow(gui::Frame& frame);
-  /// Draws the name and the buttons from ImGui's cursor to the right edge. `wordless`: as icons.
+  /// Draws the name and the buttons from ImGui's cursor to the right edge. `wordless`: the buttons are icons.
   void draw(gui::Frame& frame, bool wordless);
-  /// Of the buttons, logical.
+  /// Width of the buttons, logical.
   [[nodiscard]] static float width(const gui::Ui& ui, bool wordless);
-  /// The name had no room there: draw_name() is to be called elsewhere.
+  /// Whether the name did not fit there, so that draw_name() must draw it elsewhere.
   [[nodiscard]] bool wants_room() const { return !has_room_ && !name_.empty(); }
-  /// In pixels, cut where it would be too long.
+  /// Draws the name between `left` and `right` (pixels), cut if it is too long.
   void draw_name(const gui::Frame& frame, float left, float right, float middle) const;
   void draw_dialogs(gui::Frame& frame);
 
@@ -31,9 +31,9 @@ class BlockFiles {
   static void save(gui::Frame& frame, const std::filesystem::path& path);
 
   gui::FileDialog open_, save_;
-  std::filesystem::path to_open_;  ///< the file the question is about
+  std::filesystem::path to_open_;  ///< the file that the question is about
   bool asking_open_ = false, has_room_ = false;
-  std::string name_;                            ///< of the file, without its folder
+  std::string name_;                            ///< name of the file, without its folder
   std::uint64_t named_at_ = ~std::uint64_t{0};  ///< BlockList::changes() when `name_` was made
 };
 

@@ -14,7 +14,7 @@ using namespace gui;
 namespace seq = sequence;
 namespace {
 
-/// On a grid of 12 x 12 centred at 0, 0, as the icons of the console.
+/// Draws on a grid of 12 x 12 centred at 0, 0, as for the icons of the console.
 struct BlockPen {
   ImDrawList* list;
   ImVec2 centre;
@@ -26,7 +26,7 @@ struct BlockPen {
     for (const ImVec2 p : points) list->PathLineTo(at(p.x, p.y));
     list->PathStroke(colour, closed ? ImDrawFlags_Closed : ImDrawFlags_None, w * unit);
   }
-  /// In degrees, clockwise from the right.
+  /// Angles in degrees, clockwise from the right.
   void arc(float x, float y, float r, float from, float to, float w = 1.5f) const {
     constexpr float radian = std::numbers::pi_v<float> / 180;
     list->PathArcTo(at(x, y), r * unit, from * radian, to * radian, 16);
@@ -40,7 +40,7 @@ struct BlockPen {
 
 using V = ImVec2;
 
-/// Icons that the console has already.
+/// Icons that are icons of the console too.
 struct IconOf {
   Icon operator()(const seq::Move& m) const { return m.relative ? Icon::plus : Icon::arrow_right; }
   Icon operator()(const seq::Home& h) const {
@@ -60,7 +60,7 @@ struct IconOf {
   }
 };
 
-/// Icons of blocks only.
+/// Icons that only blocks have.
 struct DrawOwn {
   const BlockPen& p;
 

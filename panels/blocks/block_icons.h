@@ -1,5 +1,5 @@
 #pragma once
-// The drawn icon of each kind of block, in its row and in the palette.
+// Draws the icon of each kind of block, for its row and for the palette.
 #include <imgui.h>
 
 #include "core/sequence/sequence.h"

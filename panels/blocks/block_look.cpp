@@ -12,14 +12,14 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// Shown in steps if the axis has another unit that is not chosen. If it has none, a sequence from elsewhere
-/// is shown in its own unit.
+/// The axis is shown in steps if it has a unit that the user has not chosen. If it has no unit, a sequence
+/// from elsewhere is shown in its own unit.
 sequence::Scale scale_of(const Frame& f, const sequence::Axis& axis, const std::string& own_unit) {
   const int place = f.catalog.find_axis(axis.name);
   if (place < 0) return {own_unit, 1, 6};
-  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(place)});
+  const DisplayUnit& unit = f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(place)});
   if (unit.real) return {unit.name, axis.per_unit * unit.per_step, unit.decimals};
-  if (f.tab.profile.axes[ix(place)].unit_choice.empty()) return {own_unit, 1, 6};
+  if (f.tab.settings.profile.axes[ix(place)].unit_choice.empty()) return {own_unit, 1, 6};
   return {f.catalog.step_word, axis.per_unit, 6};
 }
 
@@ -41,7 +41,7 @@ sequence::Look look_of(const Frame& f, const sequence::Sequence& s) {
 std::span<const DisplayUnit> BlockLook::units(const Frame& f) {
   const std::size_t count = std::min(f.catalog.axes.size(), units_.size());
   for (std::size_t a = 0; a < count; ++a)
-    if (const DisplayUnit& now = f.tab.unit(AxisId{static_cast<std::uint8_t>(a)}); units_[a] != now)
+    if (const DisplayUnit& now = f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(a)}); units_[a] != now)
       units_[a] = now, version_ = ~std::uint64_t{0};
   return {units_.data(), count};
 }

@@ -21,7 +21,7 @@ namespace {
 
 struct PaletteEntry {
   const char *group, *id, *label;
-  BlockWays (*make)(const seq::Sequence& of, const Catalog& catalog);
+  BlockCandidates (*make)(const seq::Sequence& of, const Catalog& catalog);
 };
 
 /// The length of `steps` steps of the first axis, in the unit of the sequence, rounded.
@@ -37,22 +37,22 @@ seq::Move whole_move(const seq::Sequence& of, bool relative) {
   if (!of.axes.empty()) m.to[0] = 0;
   return m;
 }
-BlockWays speeds(const seq::Sequence& of, const Catalog&) {
+BlockCandidates speeds(const seq::Sequence& of, const Catalog&) {
   const double high = about_steps(of, 1000), low = about_steps(of, 100);
   return {seq::Speed{{high, low, 300}}, seq::Speed{{high, 0, 300}}, seq::Speed{{high, low, 0}},
           seq::Speed{{high, 0, 0}}};
 }
-/// Beside the origin, where the tool may begin.
-BlockWays arcs(const seq::Sequence& of, double degrees) {
+/// The arc begins beside the origin, where the tool can go.
+BlockCandidates arcs(const seq::Sequence& of, double degrees) {
   return {seq::Arc{0, 0, degrees, {}}, seq::Arc{about_steps(of, 1000), 0, degrees, {}}};
 }
-BlockWays jogs(const seq::Sequence& of, const Catalog&) {
+BlockCandidates jogs(const seq::Sequence& of, const Catalog&) {
   seq::Jog with_speed;
   with_speed.own = seq::Speeds{about_steps(of, 1000), 0, 0};
   return {seq::Jog{}, with_speed};
 }
-/// With its first line: a contour without one is refused.
-BlockWays contours(const seq::Sequence& of, const Catalog&) {
+/// The contour has a first line, because an empty contour is refused.
+BlockCandidates contours(const seq::Sequence& of, const Catalog&) {
   const double length = about_steps(of, 1000);
   seq::Move line;
   if (of.axes.size() > 1) line.to[0] = length, line.to[1] = 0;
@@ -63,65 +63,67 @@ BlockWays contours(const seq::Sequence& of, const Catalog&) {
   return {as_before, with_speed};
 }
 /// The second stair is twice as fast as the first.
-BlockWays speed_stairs(const seq::Sequence& of, const Catalog&) {
+BlockCandidates speed_stairs(const seq::Sequence& of, const Catalog&) {
   const double unit = about_steps(of, 1000);
   return {seq::SpeedStairs{0, {{unit, unit}, {3 * unit, 2 * unit}}, 4 * unit}};
 }
 int first_input(const Catalog& catalog) { return catalog.inputs.empty() ? 1 : catalog.input_number(0); }
-BlockWays waits(const seq::Sequence&, const Catalog& catalog) {
+BlockCandidates waits(const seq::Sequence&, const Catalog& catalog) {
   const int input = first_input(catalog);
   return {seq::WaitInput{input, true}, seq::WaitInput{input, false}};
 }
-BlockWays input_moves(const seq::Sequence&, const Catalog& catalog) {
+BlockCandidates input_moves(const seq::Sequence&, const Catalog& catalog) {
   seq::MoveOnInput move;
   move.input = first_input(catalog);
   return {move};
 }
-BlockWays outputs(const seq::Sequence&, const Catalog& catalog) {
-  BlockWays all;
+BlockCandidates outputs(const seq::Sequence&, const Catalog& catalog) {
+  BlockCandidates all;
   for (std::size_t i = 0; i < catalog.outputs.size(); ++i)
     all.emplace_back(seq::Output{catalog.output_number(i), true, 0});
   if (all.empty()) all.emplace_back(seq::Output{});
   return all;
 }
-BlockWays loops(const seq::Sequence&, const Catalog&) {
+BlockCandidates loops(const seq::Sequence&, const Catalog&) {
   seq::Repeat loop;
   loop.times = 2;
   return {loop};
 }
 template <class Body>
-BlockWays plain(const seq::Sequence&, const Catalog&) {
+BlockCandidates plain(const seq::Sequence&, const Catalog&) {
   return {Body{}};
 }
-using Of = const seq::Sequence&;
-using With = const Catalog&;
+using SequenceRef = const seq::Sequence&;
+using CatalogRef = const Catalog&;
 
 constexpr std::array<PaletteEntry, 20> palette{
     {{"Motion", "blocks/add/speed", "Speed", speeds},
      {"Motion", "blocks/add/move", "Move to",
-      [](Of of, With) -> BlockWays { return {whole_move(of, false)}; }},
+      [](SequenceRef of, CatalogRef) -> BlockCandidates { return {whole_move(of, false)}; }},
      {"Motion", "blocks/add/move_by", "Move by",
-      [](Of of, With) -> BlockWays { return {whole_move(of, true)}; }},
-     {"Motion", "blocks/add/arc", "Arc", [](Of of, With) { return arcs(of, 90); }},
-     {"Motion", "blocks/add/circle", "Circle", [](Of of, With) { return arcs(of, 360); }},
+      [](SequenceRef of, CatalogRef) -> BlockCandidates { return {whole_move(of, true)}; }},
+     {"Motion", "blocks/add/arc", "Arc", [](SequenceRef of, CatalogRef) { return arcs(of, 90); }},
+     {"Motion", "blocks/add/circle", "Circle", [](SequenceRef of, CatalogRef) { return arcs(of, 360); }},
      {"Motion", "blocks/add/contour", "Contour", contours},
      {"Motion", "blocks/add/jog", "Jog", jogs},
      {"Motion", "blocks/add/home", "Home", plain<seq::Home>},
      {"Motion", "blocks/add/stop", "Stop", plain<seq::Stop>},
      {"Motion", "blocks/add/speed_stairs", "Speed stairs", speed_stairs},
      {"Waiting", "blocks/add/wait_motion", "Until still", plain<seq::WaitMotion>},
-     {"Waiting", "blocks/add/delay", "Delay", [](Of, With) -> BlockWays { return {seq::Delay{500}}; }},
+     {"Waiting", "blocks/add/delay", "Delay",
+      [](SequenceRef, CatalogRef) -> BlockCandidates { return {seq::Delay{500}}; }},
      {"Waiting", "blocks/add/wait_input", "Wait for input", waits},
      {"Waiting", "blocks/add/move_on_input", "Move on input", input_moves},
      {"Signals", "blocks/add/output", "Output", outputs},
      {"Signals", "blocks/add/enable", "Motor power", plain<seq::Enable>},
-     {"Signals", "blocks/add/pen", "Tool", [](Of, With) -> BlockWays { return {seq::Pen{true}}; }},
+     {"Signals", "blocks/add/pen", "Tool",
+      [](SequenceRef, CatalogRef) -> BlockCandidates { return {seq::Pen{true}}; }},
      {"Order", "blocks/add/loop", "Loop", loops},
      {"Order", "blocks/add/comment", "Comment",
-      [](Of, With) -> BlockWays { return {seq::Comment{"what comes now"}}; }},
+      [](SequenceRef, CatalogRef) -> BlockCandidates { return {seq::Comment{"what comes next"}}; }},
      {"Order", "blocks/add/custom", "Own text", plain<seq::Custom>}}};
 
-/// Its icon does not depend on the controller.
+/// The block whose icon is drawn. The icon does not depend on the controller.
 const seq::Step::Body& drawn_as(std::size_t entry) {
   static const std::vector<seq::Step::Body> all = [] {
     std::vector<seq::Step::Body> made;
@@ -132,7 +134,7 @@ const seq::Step::Body& drawn_as(std::size_t entry) {
   return all[entry];
 }
 
-/// The typed text begins one of its words, in either case.
+/// Whether the typed text begins a word of the entry. Case is ignored.
 bool is_named(const PaletteEntry& entry, std::string_view typed) {
   const std::string_view label = entry.label;
   const auto same = [](char a, char b) {
@@ -151,20 +153,20 @@ bool same_frame(const seq::Sequence& a, const seq::Sequence& b) {
          a.pen_down == b.pen_down;
 }
 
-/// Why the controller refuses the last step of the sequence; empty: it takes it.
+/// Why the controller refuses the last step of the sequence; empty: it accepts the step.
 std::string refusal_of_last(const PartialWriter& writer, const seq::Sequence& s, const Catalog& catalog) {
   std::vector<RefusedStep> refused;
-  const auto written = writer.write_what_can_be(s, catalog, refused);
+  const auto written = writer.write_with_gaps(s, catalog, refused);
   if (!written) return written.error().what;
   for (const RefusedStep& r : refused)
     if (r.step == static_cast<int>(s.steps.size()) - 1) return r.why;
   return {};
 }
 
-/// Why none of these is ever taken, at the beginning or behind a move, and whatever the tool is; empty: one
-/// is.
+/// Why the controller never accepts any of these, neither at the beginning nor after a move, whatever the
+/// tool; empty: it can accept one.
 std::string why_never(const PartialWriter& writer, const seq::Sequence& of, const Catalog& catalog,
-                      const BlockWays& ways) {
+                      const BlockCandidates& ways) {
   std::string why;
   seq::Sequence alone = seq::frame_of(of), behind = alone;
   if (!catalog.outputs.empty()) {
@@ -188,7 +190,7 @@ std::string why_never(const PartialWriter& writer, const seq::Sequence& of, cons
   return why;
 }
 
-/// A row of the palette: a press anywhere on it counts.
+/// Draws a row of the palette. A press anywhere on the row counts.
 bool draw_entry(Ui& ui, std::size_t entry, std::string_view why_not) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -207,19 +209,19 @@ bool draw_entry(Ui& ui, std::size_t entry, std::string_view why_not) {
 
 }  // namespace
 
-void BlockPalette::find_what_cannot_be(Frame& f, const seq::Sequence& of) {
+void BlockPalette::find_unavailable(Frame& f, const seq::Sequence& of) {
   if (!why_not_.empty() && same_frame(asked_for_, of)) return;
   asked_for_ = seq::frame_of(of);
   why_not_.assign(palette.size(), {});
-  const auto* writer = dynamic_cast<const PartialWriter*>(f.tab.desk().language());
+  const auto* writer = dynamic_cast<const PartialWriter*>(f.tab.desk().programs.language());
   if (!writer || of.axes.empty()) return;
   for (std::size_t i = 0; i < palette.size(); ++i)
     why_not_[i] = why_never(*writer, of, f.catalog, palette[i].make(of, f.catalog));
 }
 
-BlockWays BlockPalette::draw(Frame& f, const seq::Sequence& of, bool all) {
+BlockCandidates BlockPalette::draw(Frame& f, const seq::Sequence& of, bool all) {
   Ui& ui = f.ui;
-  find_what_cannot_be(f, of);
+  find_unavailable(f, of);
   FieldOptions field;
   field.width = fill;
   field.placeholder = "Add by name";
@@ -245,7 +247,7 @@ BlockWays BlockPalette::draw(Frame& f, const seq::Sequence& of, bool all) {
   const bool entered = typed.entered && first && !wanted_.empty();
   if (entered || (clicked && !all)) wanted_.clear();
   if (clicked) return clicked->make(of, f.catalog);
-  return entered ? first->make(of, f.catalog) : BlockWays();
+  return entered ? first->make(of, f.catalog) : BlockCandidates();
 }
 
 }  // namespace hw::panels

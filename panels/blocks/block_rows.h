@@ -1,6 +1,6 @@
 #pragma once
-// The blocks of a list one below the other, including those inside loops. The words of a row are made when it
-// is first seen, so that thousands of rows cost little.
+// The rows of a list of blocks, including blocks inside loops. The words of a row are made when the row is
+// first visible, so that thousands of rows cost little.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ class BlockRows {
   struct Words {
     std::string number, title, summary;
   };
-  /// Call once a frame, before anything else. True: the blocks have changed.
+  /// Call once a frame, first. Returns true when the blocks have changed.
   bool follow(const sequence::Editor& editor);
   /// Call when the units have changed.
   void forget_words();
@@ -29,15 +29,15 @@ class BlockRows {
   [[nodiscard]] int depth(std::size_t row) const { return rows_[row].depth; }
   [[nodiscard]] sequence::StepPath path(std::size_t row) const;
   [[nodiscard]] const Words& words(std::size_t row, const sequence::Look& look);
-  /// The row after `row` and the blocks inside it.
+  /// The next row after `row` and all blocks inside it.
   [[nodiscard]] std::size_t behind(std::size_t row) const;
-  /// -1: no block has this path. Slow: call it on changes only.
+  /// The row of a block; -1: no block has this path. Slow: call it on changes only.
   [[nodiscard]] int row_of(const std::optional<sequence::StepPath>& path) const;
 
  private:
   struct Row {
     const sequence::Step* step = nullptr;
-    std::size_t place = 0;  ///< in its list
+    std::size_t place = 0;  ///< index in its list
     int parent = -1;        ///< row of the enclosing block
     int depth = 0;
     std::unique_ptr<Words> words{};

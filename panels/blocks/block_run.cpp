@@ -15,7 +15,7 @@ namespace hw::panels {
 using namespace gui;
 
 void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not, Rehearsed rehearsed) {
-  take_what_came(f, text);
+  take_result(f, text);
   live_.follow(f, text);
   RunBarLook look;
   look.why_not = why_none_runs(f);
@@ -28,7 +28,7 @@ void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not
     if (look.why_not.empty())
       request = go_on_or(f, RunRequest::run);
     else
-      f.toast(Severity::warn, std::string(look.why_not), &f.tab.desk().texts);
+      f.toast(Severity::warn, std::string(look.why_not), &f.tab.desk().programs.texts);
   }
   if (request != RunRequest::none && !doubt_.holds_back(f, request, text.text))
     ask_or_put(f, text, request == RunRequest::run ? Wanted::run : Wanted::run_stepping);
@@ -40,20 +40,20 @@ void BlockRun::draw(Frame& f, const SequenceText& text, std::string_view why_not
 }
 
 /// A refused run is shown beside Run; other messages are toasts.
-void BlockRun::take_what_came(Frame& f, const SequenceText& text) {
+void BlockRun::take_result(Frame& f, const SequenceText& text) {
   if (std::string why = run_from_.take_refusal(); !why.empty())
     refusal_.set(std::move(why), text.text, from_);
   Desk& desk = f.tab.desk();
-  auto report = desk.job.take_report();
+  auto report = desk.programs.job.take_report();
   if (report.sentence.empty()) return;
-  const ProgramJob::Goal goal = desk.job.goal();
+  const ProgramJob::Goal goal = desk.programs.job.goal();
   const bool of_run = goal == ProgramJob::Goal::run || goal == ProgramJob::Goal::run_stepping;
-  const std::string& run = desk.texts.text(desk.texts.chosen());
+  const std::string& run = desk.programs.texts.text(desk.programs.texts.chosen());
   if (of_run && report.severity == Severity::fault) {
     if (run == text.text) return refusal_.set(std::move(report.sentence), text.text);
     if (run == run_from_.text()) return refusal_.set(std::move(report.sentence), text.text, from_);
   }
-  f.toast(report.severity, std::move(report.sentence), &desk.texts);
+  f.toast(report.severity, std::move(report.sentence), &desk.programs.texts);
 }
 
 void BlockRun::ask_from(Frame& f, const sequence::Sequence& blocks, int step) {
@@ -68,7 +68,7 @@ int BlockRun::draw_refusals(Frame& f, const SequenceText& text, const BlockRows&
 }
 
 void BlockRun::draw_doubt(Frame& f, const SequenceText& text, const Rect& row) {
-  const RunDoubt::Once once = doubt_.draw(f, "blocks", row, text.text);
+  const RunDoubt::AcceptedRun once = doubt_.draw(f, "blocks", row, text.text);
   if (once.request == RunRequest::none) return;
   ask_or_put(f, text, once.request == RunRequest::run ? Wanted::run : Wanted::run_stepping, once.agreed);
 }
@@ -76,8 +76,8 @@ void BlockRun::draw_doubt(Frame& f, const SequenceText& text, const Rect& row) {
 void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted,
                           std::optional<AgreedDoubts> agreed) {
   refusal_.forget();
-  const ProgramTexts& texts = f.tab.desk().texts;
-  if (wanted != Wanted::to_program && !agreed)  // then the program is not replaced either
+  const ProgramTexts& texts = f.tab.desk().programs.texts;
+  if (wanted != Wanted::to_program && !agreed)  // if the run is held back, the program is not replaced either
     if (std::string why = why_not_run_there(f.tab, text.text); !why.empty())
       return refusal_.set(std::move(why), text.text);
   wanted_ = wanted, agreed_ = std::move(agreed);
@@ -87,7 +87,7 @@ void BlockRun::ask_or_put(Frame& f, const SequenceText& text, Wanted wanted,
 }
 
 void BlockRun::put(Frame& f, const SequenceText& text) {
-  ProgramTexts& texts = f.tab.desk().texts;
+  ProgramTexts& texts = f.tab.desk().programs.texts;
   if (texts.text(texts.chosen()) != text.text) texts.set_text(texts.chosen(), text.text);
   switch (std::exchange(wanted_, Wanted::nothing)) {
     case Wanted::nothing: return;
@@ -97,13 +97,10 @@ void BlockRun::put(Frame& f, const SequenceText& text) {
   }
 }
 
-/// While the question stood, a stop may have come or another run may have begun: then the text is only put
-/// there.
+/// If a stop came or another run began while the question was open, the text is only put into the program.
 void BlockRun::run(Frame& f, const SequenceText& text, RunRequest request) {
-  if (go_ahead_.expired())
-    return refusal_.set("A stop came first. The text was put into the program and not run.", text.text);
-  std::string_view why = why_none_runs(f);
-  if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
+  if (go_ahead_.expired()) return refusal_.set(std::string(put_but_not_run), text.text);
+  const std::string_view why = why_no_new_run(f);
   if (why.empty()) return begin_run(f, request, std::exchange(agreed_, std::nullopt));
   refusal_.set(std::string(why), text.text);
 }

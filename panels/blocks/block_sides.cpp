@@ -15,10 +15,10 @@ using namespace gui;
 namespace {
 
 constexpr float palette_width = 160, side_alone = 264;
-constexpr float palette_needs = 560;  ///< width of the panel
+constexpr float palette_needs = 560;  ///< least width of the panel for the palette
 constexpr float path_height = 240, low_path_height = 150, switch_height = 48, least_part = 120;
 
-/// Of text and path, if there is room for them beside palette and blocks.
+/// Width of text and path, if they fit beside palette and blocks.
 float width_of_side(const Frame& f) {
   return f.area.width >= 960 ? 304 : f.area.width >= 760 ? side_alone : 0.0f;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The parts beside the blocks, as far as there is room: the palette at the left, text and path at the right;
-// a part without room is one press away. Ids: `blocks/aside`, `blocks/side/Text`, `blocks/side/Path`.
+// Places the parts beside the blocks: the palette at the left, text and path at the right. A button shows a
+// part that does not fit. Ids: `blocks/aside`, `blocks/side/Text`, `blocks/side/Path`.
 #include <functional>
 
 #include "gui/shell/frame.h"
@@ -14,14 +14,15 @@ class BlockSides {
     float palette = 0, list = 0, side = 0;
   };
   [[nodiscard]] Columns columns(const gui::Frame& frame) const;
-  /// Text and path make room for the list, if they have taken its place.
+  /// Shows the list again if text and path have taken its place.
   void show_list(const gui::Frame& frame);
-  /// Button of the toolbar that exchanges what shares a place, and its logical width; 0: there is none.
+  /// The toolbar's button that exchanges parts which share a place, and its logical width; 0: there is no
+  /// button.
   void draw_switch(gui::Frame& frame);
   [[nodiscard]] float switch_width(const gui::Frame& frame) const;
-  /// Draws one part at ImGui's cursor, logical size.
+  /// Draws a part at ImGui's cursor. Logical size.
   using DrawPart = std::function<void(float width, float height)>;
-  /// The text, and the path below it; one of them if the height is too small for both.
+  /// Draws the text and the path below it, or only one of them if both are too high.
   void draw(gui::Frame& frame, float width, float height, const DrawPart& text, const DrawPart& path);
 
  private:

@@ -18,7 +18,7 @@ constexpr std::string_view not_seen = "The positions of the axes are not known n
 constexpr std::string_view start_is_unknown =
     "Put a move to a place before this block: its start is unknown.";
 
-/// In the unit of the sequence. Nothing if the position is stale or unknown.
+/// The present position in the unit of the sequence. nullopt: it is stale or unknown.
 std::optional<double> stands_at(const Frame& f, const seq::Sequence& s, int axis) {
   if (axis < 0 || ix(axis) >= s.axes.size()) return std::nullopt;
   const int place = f.catalog.find_axis(s.axes[ix(axis)].name);
@@ -28,7 +28,7 @@ std::optional<double> stands_at(const Frame& f, const seq::Sequence& s, int axis
   return static_cast<double>(state.commanded().value) / s.axes[ix(axis)].per_unit;
 }
 
-/// Of the axes it names, or of all while the block is unchanged.
+/// The targets of the axes that the block names, or of all axes while it names none.
 seq::Places targets(const Frame& f, const seq::Sequence& s, const seq::Places& named) {
   const bool untouched =
       std::all_of(named.begin(), named.end(), [](const auto& to) { return !to || *to == 0; });
@@ -38,7 +38,7 @@ seq::Places targets(const Frame& f, const seq::Sequence& s, const seq::Places& n
   return all;
 }
 
-/// The angle from its beginning, in its present direction.
+/// The angle from the beginning of the arc, in its present direction.
 double degrees_to(const seq::Arc& arc, double from_x, double from_y, double x, double y) {
   const double turn = std::atan2(y - arc.y, x - arc.x) - std::atan2(from_y - arc.y, from_x - arc.x);
   double degrees = std::fmod(turn / std::numbers::pi * 180, 360);

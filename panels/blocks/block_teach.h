@@ -12,7 +12,7 @@
 
 namespace hw::panels {
 
-/// One way of teaching a block.
+/// A way to teach a block.
 struct Lesson {
   const char *id = nullptr, *label = nullptr;
   enum class What : std::uint8_t { place, distance, centre, end } what = What::place;
@@ -20,12 +20,12 @@ struct Lesson {
 
 class BlockTeach {
  public:
-  /// Of this kind of block; null id: no such lesson.
+  /// The lessons for this kind of block; null id: no lesson.
   [[nodiscard]] static std::array<Lesson, 2> lessons(const sequence::Step::Body& body);
-  /// Empty: teaching is possible now.
+  /// Why the block cannot be taught now; empty: it can.
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame, const sequence::Editor& editor,
                                          const sequence::StepPath& path, Lesson::What what);
-  /// Returns the taught block; nothing: the block stays.
+  /// Returns the taught block; nullopt: the block is unchanged.
   [[nodiscard]] std::optional<sequence::Step::Body> teach(const gui::Frame& frame,
                                                           const sequence::Editor& editor,
                                                           const sequence::StepPath& path, Lesson::What what);
@@ -33,7 +33,7 @@ class BlockTeach {
  private:
   const sequence::Places& begins_at(const sequence::Editor& editor, const sequence::StepPath& path);
 
-  sequence::Places begins_at_;  ///< of the last block queried
+  sequence::Places begins_at_;  ///< start positions of the last block queried
   sequence::StepPath of_;
   std::uint64_t version_ = ~std::uint64_t{0};
 };

@@ -18,7 +18,7 @@ using namespace gui;
 namespace {
 
 constexpr float text_line = 20;
-/// Beyond this number, scripts read only the visible lines.
+/// In a text with more lines, scripts read only the visible lines.
 constexpr std::size_t few_lines = 500;
 
 struct LinesInSight {
@@ -58,7 +58,7 @@ bool draw_block_problem(Frame& f, const WrittenBlocks& written, float width) {
   Ui& ui = f.ui;
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const std::size_t count = written.refused.size();
-  // Each block shows its own reason; here they are only counted.
+  // Each block shows its own reason; here the blocks are only counted.
   const Path counted("{} {} refused.", count, count == 1 ? "block is" : "blocks are");
   const std::string_view text = count > 0 ? counted.view() : std::string_view(written.problem);
   bool wanted = false;

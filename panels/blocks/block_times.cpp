@@ -14,7 +14,7 @@ namespace hw::panels {
 namespace seq = sequence;
 namespace {
 
-/// A motion of this length that the rehearsal has not seen the end of goes on beyond it.
+/// A motion of this length continues when the rehearsal ends before it.
 constexpr double long_s = 60;
 
 /// First and last start of a step, and the number of starts.
@@ -61,7 +61,7 @@ class Times {
     const seq::StepList* inner = steps_in(step);
     double all = seconds_[ix(row)];
     if (row == last_ && !r_.finished && std::holds_alternative<seq::WaitInput>(step.body)) {
-      made_.of_step[ix(row)] = "waits on";  // for events that no rehearsal can predict
+      made_.of_step[ix(row)] = "waits on";  // waits for events that no rehearsal can predict
       return all;
     }
     if (inner)
@@ -85,7 +85,7 @@ class Times {
     if (seconds > 0) made_.of_step[ix(row)] = fmt::format("{:.1f} s", seconds);
     return seconds;
   }
-  /// The first to execute of the steps in the loop at `row`.
+  /// The step of the loop at `row` that is executed first.
   [[nodiscard]] Begun begun_in(int row) const {
     for (int r = row + 1; r < next_; ++r)
       if (begun_[ix(r)].times > 0) return begun_[ix(r)];
@@ -100,8 +100,8 @@ class Times {
   }
 
   const Rehearsal& r_;
-  int last_ = -1;         ///< being executed at the end of the rehearsal
-  bool goes_on_ = false;  ///< the step being executed then comes to its end
+  int last_ = -1;         ///< step executed at the end of the rehearsal
+  bool goes_on_ = false;  ///< that step comes to its end later
   std::vector<double> seconds_;
   std::vector<Begun> begun_;
   BlockTimes made_;

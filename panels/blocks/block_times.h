@@ -1,6 +1,6 @@
 #pragma once
-// Durations from a rehearsal of the text: of each block in all, of loops by their passes, and of the whole,
-// or its minimum where the rehearsal was cut short. Pure.
+// Works out durations from a rehearsal of the text: of each block in all its passes, of each pass of a loop,
+// and of the whole, or its minimum if the rehearsal was cut short. Pure.
 #include <span>
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace hw::panels {
 
 struct BlockTimes {
   std::vector<std::string> of_step;  ///< "2.3 s", "12 x 6.5 s"; as SequenceText counts the steps
-  double at_least_s = 0;             ///< of the whole, if the rehearsal did not end
+  double at_least_s = 0;             ///< least duration of the whole, if the rehearsal did not end
   bool goes_on = false;  ///< the rehearsal did not end, in a loop or delay that merely outlasts it
 };
 

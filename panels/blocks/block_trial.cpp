@@ -20,7 +20,8 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// First briefly, with a fine path; what has not ended by then is tried for as long as Simulate does.
+/// The first trial is brief, with a fine path. If it has not ended by then, the next trial is as long as that
+/// of Simulate.
 struct Length {
   double for_s, seen_every_s;
 };
@@ -31,7 +32,7 @@ bool out_of_time(const Rehearsal& r, double for_s) {
   return !r.finished && !r.endless && r.duration_s >= for_s;
 }
 
-/// The first two, unless others move instead; an axis alone is seen over time.
+/// The first two axes, unless others move instead. A single axis is drawn over time.
 PathAxes axes_of(const Rehearsal& r, const Catalog& catalog) {
   std::vector<AxisId> moving;
   for (std::size_t a = 0; a < r.axes.size() && a < catalog.axes.size(); ++a)
@@ -57,7 +58,7 @@ void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& wr
   Desk& desk = f.tab.desk();
   if (!tried_) shown_ = axes_of(Rehearsal(), f.catalog);
   rehearsals_.follow(f.now, f.bench, f.catalog, [&desk](int slot) {
-    const HeldProgram& held = desk.texts.held(slot);
+    const HeldProgram& held = desk.programs.texts.held(slot);
     return held.known ? &held.text : nullptr;
   });
   const Rehearsals::Outcome* done = outcome();
@@ -73,12 +74,12 @@ void BlockTrial::follow(Frame& f, const std::shared_ptr<const WrittenBlocks>& wr
   if (again_ && reads_set_up(f)) return;
   reading_ = 0;
   const bool again = std::exchange(again_, false);
-  // Blocks are the first program of their text.
-  const int program = f.catalog.program.threads > 0 ? 0 : desk.texts.chosen();
+  // The blocks are the first program of their text.
+  const int program = f.catalog.program.threads > 0 ? 0 : desk.programs.texts.chosen();
   if (written == tried_ && program == program_ && !again) return;
   const bool same = tried_ && !written->text.text.empty() && written->text.text == tried_->text.text;
   tried_ = written;
-  if (same && program == program_ && !again) {  // but from different blocks
+  if (same && program == program_ && !again) {  // the same text from different blocks
     if (!done || done->text != tried_->text.text) return;
     take(f, *done);
     if (!at_length_ && done->result && out_of_time(*done->result, brief.for_s)) start(f, true);
@@ -96,16 +97,16 @@ void BlockTrial::again() {
 }
 
 bool BlockTrial::can_read(const Frame& f) const {
-  return f.now.link.connected() && !f.tab.desk().job.busy() && !is_under_way(f.now.program);
+  return f.now.link.connected() && !f.tab.desk().programs.job.busy() && !is_under_way(f.now.program);
 }
 
-/// As Simulate does; whatever cannot be read is named as an assumption.
+/// Reads the set-up, as Simulate does. A value that cannot be read is named as an assumption.
 bool BlockTrial::reads_set_up(Frame& f) {
-  if (!can_read(f) || !f.tab.desk().can_read_more(f.now)) return false;
+  if (!can_read(f) || !f.tab.desk().programs.requests.can_read_more(f.now)) return false;
   return awaits_set_up(reading_, f.now, [&f](IntentBody body) { return f.send(std::move(body)); });
 }
 
-/// Then again() with what was read.
+/// Reads the programs and variables that the rehearsal reached, then calls again().
 bool BlockTrial::reads_what_it_reached(Frame& f, const Rehearsals::Outcome* done) {
   if (!may_read_ || again_) return false;
   if (!reads_reached_)
@@ -127,8 +128,8 @@ void BlockTrial::start(Frame& f, bool at_length) {
   request.track_every_s = length.seen_every_s;
   request.for_seconds = length.for_s;
   Desk& desk = f.tab.desk();
-  rehearsals_.start(*desk.language(), tried_->text.text, request, desk.state_of(f.now), f.bench, f.catalog,
-                    desk.worker());
+  rehearsals_.start(*desk.programs.language(), tried_->text.text, request,
+                    known_state(desk.programs.texts, f.now), f.bench, f.catalog, desk.work.worker());
   f.ui.wake_in(0);
 }
 
@@ -136,18 +137,18 @@ Rehearsed BlockTrial::rehearsed(const Frame& f) const {
   if (!tried_ || tried_->text.text.empty()) return {};
   if (rehearsals_.under_way(program_) || again_ || reads_reached_) return {false, "Rehearsing."};
   if (goes_on_ && outcome() && outcome()->text == tried_->text.text)
-    return {false, "It takes more than the hour that was rehearsed."};
+    return {false, "It takes longer than the hour that was rehearsed."};
   return panels::rehearsed(f, outcome(), tried_->text.text);
 }
 
 bool BlockTrial::is_old() const {
   const Rehearsals::Outcome* done = outcome();
   if (!done || !done->result || rehearsals_.under_way(program_)) return false;
-  const Footing footing = done->stand.footing;
-  return footing != Footing::here && footing != Footing::unknown && footing != Footing::doubtful;
+  const StartMatch match = done->start.match;
+  return match != StartMatch::here && match != StartMatch::unknown && match != StartMatch::doubtful;
 }
 
-/// "without 3 and 5.1": by their numbers in the list.
+/// "without 3 and 5.1": the blocks left out, by their numbers in the list.
 static std::string without_words(const WrittenBlocks& written) {
   constexpr std::size_t most = 3;
   std::string all;
@@ -188,7 +189,7 @@ void BlockTrial::take_path(const Frame& f, const Rehearsal& r) {
   const PathAxes before = std::exchange(shown_, axes_of(r, f.catalog));
   if (before != shown_) canvas_.fit();
   const auto axis = [&f](AxisId id) {
-    return TrackAxes::Axis{id.index, from_steps(Steps(1), f.tab.unit(id))};
+    return TrackAxes::Axis{id.index, from_steps(Steps(1), f.tab.settings.unit(id))};
   };
   TrackAxes axes;
   axes.right = axis(shown_.right), axes.up = axis(shown_.up), axes.over_time = shown_.over_time;

@@ -13,7 +13,7 @@ void BlockWork::follow(Frame& f, const sequence::Editor& editor) {
   wanted_ = editor.version();
   if (up_to_date() || *under_way_ > 0) return;
   Desk& desk = f.tab.desk();
-  const Language* language = desk.language();
+  const Language* language = desk.programs.language();
   if (!language) {
     WrittenBlocks none;
     none.version = wanted_;
@@ -23,7 +23,7 @@ void BlockWork::follow(Frame& f, const sequence::Editor& editor) {
   }
   if (!catalog_) catalog_ = std::make_shared<const Catalog>(f.catalog);
   ++*under_way_;
-  desk.worker().run(
+  desk.work.worker().run(
       [language, catalog = catalog_, sequence = editor.shared(), version = wanted_] {
         WrittenBlocks made = write_blocks(*language, *sequence, *catalog);
         made.version = version;

@@ -14,7 +14,7 @@ class BlockWork {
  public:
   /// Call once a frame.
   void follow(gui::Frame& frame, const sequence::Editor& editor);
-  /// The latest result: of the present blocks when up_to_date(). A new object for each version.
+  /// The latest result. It is that of the present blocks if up_to_date(). Each version is a new object.
   [[nodiscard]] const std::shared_ptr<const WrittenBlocks>& written() const { return written_; }
   [[nodiscard]] bool up_to_date() const { return written_->version == wanted_; }
   /// Why there is no text to run; empty: there is one.
@@ -22,10 +22,10 @@ class BlockWork {
 
  private:
   std::shared_ptr<const WrittenBlocks> written_ = std::make_shared<const WrittenBlocks>();
-  std::shared_ptr<const Catalog> catalog_;  ///< for the worker, who may outlive the tab
+  std::shared_ptr<const Catalog> catalog_;  ///< for the worker, which may outlive the tab
   std::uint64_t wanted_ = ~std::uint64_t{0};
   std::shared_ptr<int> under_way_ =
-      std::make_shared<int>(0);  ///< of the jobs, which are dropped with this object
+      std::make_shared<int>(0);  ///< expires with this object, so that its jobs are dropped
 };
 
 }  // namespace hw::panels

@@ -50,7 +50,7 @@ void Blocks::follow(Frame& f) {
   editor_ = &blocks.editor;
   chosen_.follow(*editor_, rows_);
   if (look_.follow(f, *editor_)) {
-    // Text being typed was meant in the previous unit.
+    // The user typed the present text in the previous unit.
     rows_.forget_words(), form_.forget(), drafts_.forget();
     if (std::string_view(f.ui.focus.id()).starts_with("blocks/")) ImGui::ClearActiveID();
   }
@@ -67,7 +67,7 @@ void Blocks::follow(Frame& f) {
     if (const std::string_view why_not = why_not_rehearse_now(f.now, f.catalog); why_not.empty())
       trial_.again();
     else
-      f.toast(Severity::warn, std::string(why_not), &f.tab.desk().texts);
+      f.toast(Severity::warn, std::string(why_not), &f.tab.desk().programs.texts);
   }
   trial_.follow(f, work_.written());
 }
@@ -128,14 +128,14 @@ void Blocks::draw_sides(Frame& f, float width, float height) {
   sides_.draw(f, width, height, text, path);
 }
 
-/// Same as the buttons; arrows alone jog, so Alt moves a block.
+/// Keys for the buttons. Arrow keys alone jog, so Alt with an arrow moves a block.
 void Blocks::use_keys(Frame& f) {
   if (f.ui.keyboard.typing() || f.ui.registry.top_layer() > 0) return;
   const ImGuiIO& io = ImGui::GetIO();
   const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, true); };
   if (io.KeyCtrl && pressed('Z')) io.KeyShift ? make_again() : take_back();
   if (io.KeyCtrl && pressed('Y')) make_again();
-  if (!chosen_.any() || sides_.columns(f).list == 0) return;  // nothing is changed out of sight
+  if (!chosen_.any() || sides_.columns(f).list == 0) return;  // a hidden block must not change
   const int arrow = (pressed(GLFW_KEY_DOWN) ? 1 : 0) - (pressed(GLFW_KEY_UP) ? 1 : 0);
   if (arrow != 0 && io.KeyAlt) move(arrow);
   if (arrow != 0 && io.KeyShift && !io.KeyAlt) {

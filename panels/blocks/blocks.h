@@ -1,7 +1,7 @@
 #pragma once
-// The graphical programmer: a sequence as blocks in a column beside its text in the controller's language,
-// rehearsed as it grows. Ids: `blocks/ROW` (from 1), its fields `blocks/ROW/KEY`, `blocks/ROW/time`,
-// `blocks/end`, `blocks/up`, `blocks/remove`, `blocks/undo`, `blocks/from_text`,
+// The graphical programmer: shows a sequence as blocks in a column, beside its text in the controller's
+// language, and rehearses it after each change. Ids: `blocks/ROW` (from 1), its fields `blocks/ROW/KEY`,
+// `blocks/ROW/time`, `blocks/end`, `blocks/up`, `blocks/remove`, `blocks/undo`, `blocks/from_text`,
 // `blocks/path`, and those of its parts.
 #include <optional>
 
@@ -55,22 +55,22 @@ class Blocks final : public gui::Panel {
   void draw_brackets(gui::Frame& frame, std::size_t row, ImVec2 corner, float bottom);
   void draw_chosen(gui::Frame& frame, std::size_t row, float left, float width);
   void draw_tools(gui::Frame& frame, const sequence::Step& step);
-  /// Why the blocks cannot be run or put anywhere; empty: they can.
+  /// Why the blocks can neither be run nor put into the program; empty: they can.
   [[nodiscard]] std::string_view why_none() const;
   [[nodiscard]] const RefusedStep* refusal_of(std::size_t row) const;
-  /// The problem shown on its closed card; empty: none.
+  /// The problem shown on the closed card of a block; empty: none.
   [[nodiscard]] std::string_view complaint_of(std::size_t row) const;
-  /// The block is the only one chosen, and shows its fields.
+  /// Whether the block shows its fields, because it alone is chosen.
   [[nodiscard]] bool is_open(std::size_t row) const;
 
   // ---- blocks_change.cpp
-  void add(gui::Frame& frame, const BlockWays& ways);
+  void add(gui::Frame& frame, const BlockCandidates& ways);
   void choose(std::optional<sequence::StepPath> path);
   void choose_all(const sequence::StepSpan& span);
   void choose_moved(const sequence::StepSpan& span);
   void put_form_away();
   void open_form();
-  /// Chooses it, and brings the list to the front.
+  /// Chooses the block and brings the list to the front.
   void bring_up(const gui::Frame& frame, sequence::StepPath path);
   void choose_first_refused(const gui::Frame& frame);
   void click(std::size_t row);
@@ -83,7 +83,7 @@ class Blocks final : public gui::Panel {
   void put_into_loop();
   void skip(bool skipped);
 
-  sequence::Editor* editor_ = nullptr;  ///< of the desk, for this frame
+  sequence::Editor* editor_ = nullptr;  ///< the desk's editor, for this frame
   BlockChoice chosen_;
   float open_height_px_ = 0;  ///< height of the open block below its row, as last drawn
   float beside_rows_px_ = 0;  ///< height of the list's content above and below its rows, as last drawn

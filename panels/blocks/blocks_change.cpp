@@ -1,4 +1,4 @@
-// Changes to the blocks, each of them one undoable change.
+// Changes the blocks. Each change can be undone as a whole.
 #include <algorithm>
 
 #include "core/base/index.h"
@@ -12,11 +12,11 @@ using namespace gui;
 namespace seq = sequence;
 namespace {
 
-/// The first candidate that the controller accepts at this place; if it accepts none, the first candidate,
-/// which then shows the reason.
+/// The first candidate that the controller accepts at this place. If it accepts none, the first candidate,
+/// which shows the reason.
 seq::Step::Body first_taken(const Frame& f, const seq::Sequence& s, const seq::StepPath& at,
-                            const BlockWays& ways) {
-  const auto* writer = dynamic_cast<const PartialWriter*>(f.tab.desk().language());
+                            const BlockCandidates& ways) {
+  const auto* writer = dynamic_cast<const PartialWriter*>(f.tab.desk().programs.language());
   constexpr std::size_t soon_written = 500;
   if (!writer || ways.size() < 2) return ways.front();
   const bool long_list = s.steps.size() > soon_written;
@@ -28,7 +28,7 @@ seq::Step::Body first_taken(const Frame& f, const seq::Sequence& s, const seq::S
     rows.follow(trial);
     const int row = rows.row_of(placed);
     std::vector<RefusedStep> refused;
-    const auto written = writer->write_what_can_be(trial.sequence(), f.catalog, refused);
+    const auto written = writer->write_with_gaps(trial.sequence(), f.catalog, refused);
     if (written &&
         std::none_of(refused.begin(), refused.end(), [row](const auto& r) { return r.step == row; }))
       return way;
@@ -38,8 +38,8 @@ seq::Step::Body first_taken(const Frame& f, const seq::Sequence& s, const seq::S
 
 }  // namespace
 
-/// After the chosen block, into a chosen loop or contour, or at the end.
-void Blocks::add(Frame& f, const BlockWays& ways) {
+/// Adds a block after the chosen block, into a chosen loop or contour, or at the end.
+void Blocks::add(Frame& f, const BlockCandidates& ways) {
   seq::StepPath at{editor_->sequence().steps.size()};
   if (chosen_.any()) {
     const seq::StepSpan span = chosen_.span();
@@ -82,7 +82,7 @@ void Blocks::choose_all(const seq::StepSpan& span) {
 /// Chooses the moved blocks at their new place.
 void Blocks::choose_moved(const seq::StepSpan& span) {
   chosen_.follow(*editor_, rows_);
-  drafts_.follow(*editor_, rows_);  // before another is kept at a place where one of them stood
+  drafts_.follow(*editor_, rows_);  // drafts must follow their blocks before another draft takes an old place
   drafts_.keep(span.first, form_.leave());
   choose_all(span);
 }
@@ -109,7 +109,7 @@ void Blocks::click(std::size_t row) {
   choose(alone ? std::nullopt : std::optional(rows_.path(row)));
 }
 
-/// Up or down across all rows, into and out of loops and contours.
+/// Moves the chosen blocks up or down across all rows, into and out of loops and contours.
 void Blocks::move(int rows) {
   if (!chosen_.any()) return;
   const seq::StepSpan span = chosen_.span();
@@ -136,8 +136,8 @@ void Blocks::move(int rows) {
   if (const auto moved = editor_->move(span, to)) choose_moved(seq::StepSpan(*moved, span.count));
 }
 
-/// Drops the carried block there, together with the other chosen ones if it is one of them; after the row of
-/// a loop or contour means inside it.
+/// Drops the carried block there, with the other chosen blocks if it is chosen. After the row of a loop or
+/// contour means inside it.
 void Blocks::drop(const RowDrag::Drop& d) {
   if (d.from >= rows_.size() || d.to >= rows_.size()) return;
   seq::StepPath to = rows_.path(d.to);

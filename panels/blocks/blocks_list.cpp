@@ -1,4 +1,4 @@
-// The column of blocks.
+// Draws the column of blocks.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -29,7 +29,7 @@ void Blocks::draw_palette(Frame& f, float width, float height) {
   ImGui::SetCursorScreenPos(ImVec2(ui.px(f.area.x), at.y));
   begin_part(ui, "blocks/palette", ui.px(width), ui.px(height), Tone::panel, 8);
   gap(ui, 8);
-  if (const BlockWays ways = palette_.draw(f, editor_->sequence(), true); !ways.empty()) add(f, ways);
+  if (const BlockCandidates ways = palette_.draw(f, editor_->sequence(), true); !ways.empty()) add(f, ways);
   gap(ui, 8);
   end_part();
 }
@@ -41,14 +41,15 @@ void Blocks::draw_list(Frame& f, const BlockSides::Columns& columns, float heigh
   if (palette_aside)
     ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.hair(), ui.px(f.area.bottom())),
                                               ui[Tone::line]);
-  // ImGui would still scroll over the rows that the last frame had: those below a block that has just been
+  // Without this ImGui still scrolls over the height of the last frame. The rows below a block that was
   // closed or removed would then jump in the next frame, away from the pointer.
   ImGui::SetNextWindowContentSize(ImVec2(0, beside_rows_px_ + rows_height(f)));
   begin_part(ui, "blocks/list", ui.px(columns.list), ui.px(height), Tone::panel, 12);
   const float inner = ImGui::GetContentRegionAvail().x / ui.scale;
   draw_title(f);
   if (!palette_aside) {
-    if (const BlockWays ways = palette_.draw(f, editor_->sequence(), false); !ways.empty()) add(f, ways);
+    if (const BlockCandidates ways = palette_.draw(f, editor_->sequence(), false); !ways.empty())
+      add(f, ways);
     gap(ui, 8);
   }
   if (columns.side == 0 && draw_block_problem(f, *work_.written(), inner)) choose_first_refused(f);
@@ -64,7 +65,7 @@ void Blocks::draw_list(Frame& f, const BlockSides::Columns& columns, float heigh
   end_part();
 }
 
-/// While a program runs, how much of it is left.
+/// While a program runs, the title shows how much of it is left.
 void Blocks::draw_title(Frame& f) {
   Ui& ui = f.ui;
   const auto progress = run_progress(f);
@@ -82,7 +83,8 @@ void Blocks::draw_title(Frame& f) {
   ImGui::SetCursorScreenPos(below);
 }
 
-/// In pixels, below the first: refused blocks are higher than others, and an open block is higher still.
+/// Top of a row in pixels, below the first row. Refused blocks are higher than others, and an open block is
+/// higher still.
 float Blocks::top_of(const Frame& f, int row) const {
   const float pitch = f.ui.px(block_height) + f.ui.px(block_gap);
   const int open = chosen_.row();
@@ -91,7 +93,7 @@ float Blocks::top_of(const Frame& f, int row) const {
   if (work_.up_to_date()) {
     complaints += work_.written()->refused_before(row);
     for (int r = drafts_.next(-1); r >= 0 && r < row; r = drafts_.next(r))
-      if (work_.written()->refusal_of(r)) --complaints;  // it shows one of the two
+      if (work_.written()->refusal_of(r)) --complaints;  // a block shows only one of the two
     if (open >= 0 && row > open && work_.written()->refusal_of(open)) --complaints;
   }
   return y + static_cast<float>(complaints) * f.ui.px(refusal_height);
@@ -99,7 +101,7 @@ float Blocks::top_of(const Frame& f, int row) const {
 
 float Blocks::rows_height(const Frame& f) const { return top_of(f, static_cast<int>(rows_.size())); }
 
-/// With very many rows, those not visible only take their place: scripts cannot find them either.
+/// With very many rows, only visible rows are drawn; scripts do not find the others.
 void Blocks::draw_rows(Frame& f, float width) {
   constexpr int very_many = 500, beyond_sight = 3;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -129,7 +131,7 @@ void Blocks::draw_rows(Frame& f, float width) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + rows_height(f)));
 }
 
-/// Includes the fields below the row, as far as there is room. `top`: of the first row.
+/// Scrolls to the row and, as far as they fit, its fields. `top`: top of the first row.
 void Blocks::scroll_to(const Frame& f, int row, float top) {
   const float begin = top + top_of(f, row), end = begin + f.ui.px(block_height + block_gap) + open_height_px_;
   const float view = ImGui::GetWindowPos().y, room_above = begin - view;
@@ -138,7 +140,7 @@ void Blocks::scroll_to(const Frame& f, int row, float top) {
 }
 
 void Blocks::draw_row_at(Frame& f, int row, ImVec2 at, float width) {
-  if (ix(row) >= rows_.size()) return;  // a row above has just been removed
+  if (ix(row) >= rows_.size()) return;  // a row above was removed in this frame
   ImGui::SetCursorScreenPos(at);
   draw_row(f, ix(row), width);
 }
@@ -152,7 +154,7 @@ static void draw_sentence(Frame& f, std::string_view id, std::string_view label,
   gap(f.ui, 6);
 }
 
-/// The total time, or why it is unknown; what stops the run too early, and what had to be assumed.
+/// Draws the total time, or why it is unknown, the stops before the end, and the assumed values.
 void Blocks::draw_total(Frame& f, float width) {
   Ui& ui = f.ui;
   const ProgramFacts& program = f.catalog.program;
@@ -179,9 +181,10 @@ void Blocks::draw_total(Frame& f, float width) {
   draw_again(f, width);
 }
 
-/// Changes since the rehearsal, and values that could be read now.
+/// Offers a new rehearsal after changes, or when assumed values can be read now.
 void Blocks::draw_again(Frame& f, float width) {
-  const bool old = trial_.is_old(), assumes = !trial_.assumed().empty() && f.tab.desk().can_read_more(f.now);
+  const bool old = trial_.is_old(),
+             assumes = !trial_.assumed().empty() && f.tab.desk().programs.requests.can_read_more(f.now);
   if ((!old && !assumes) || is_under_way(f.now.program)) return;
   Ui& ui = f.ui;
   if (old) wrapped(ui, Face::small, Tone::warn, trial_.rehearsed(f).words, width);
@@ -192,7 +195,7 @@ void Blocks::draw_again(Frame& f, float width) {
     trial_.again();
 }
 
-/// The place of the next block if none is chosen.
+/// Draws the place of the next block if no block is chosen.
 void Blocks::draw_end(Frame& f, float width, bool palette_aside) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -1,4 +1,4 @@
-// A block of the column, and the fields below the chosen one.
+// Draws a block of the column, and the fields below the chosen block.
 #include <algorithm>
 #include <cmath>
 
@@ -63,7 +63,7 @@ void Blocks::draw_row(Frame& f, std::size_t row, float width) {
   if (t.clicked && !drag_.carries()) click(row);
 }
 
-/// Its background, as high as all its content.
+/// Draws the background of a block, as high as all its content.
 void Blocks::draw_card(Frame& f, std::size_t row, const Touch& t) {
   Ui& ui = f.ui;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -137,7 +137,7 @@ void Blocks::draw_words(Frame& f, std::size_t row, const Rect& card) {
   draw_text_line(ui, summary, end, middle, Face::body, ui[ink2], words.summary);
 }
 
-/// At the left of the blocks in loops, down to the last one.
+/// Draws the brackets at the left of the blocks in loops.
 void Blocks::draw_brackets(Frame& f, std::size_t row, ImVec2 corner, float bottom) {
   Ui& ui = f.ui;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -160,7 +160,7 @@ void Blocks::draw_chosen(Frame& f, std::size_t row, float left, float width) {
   gap(ui, 4);
   if (editor_->version() == version && chosen_.any() && !chosen_.several()) {
     const Path path("blocks/{}", row + 1);
-    const StepAtHand step{path, rows_.step(row).body, editor_->sequence(), look_.look(), refusal_of(row)};
+    const EditedStep step{path, rows_.step(row).body, editor_->sequence(), look_.look(), refusal_of(row)};
     const bool is_tool = std::holds_alternative<seq::Pen>(step.body);
     if (auto body = form_.draw(f, step, inner)) editor_->replace(*chosen_.head(), std::move(*body));
     if (is_tool)
@@ -211,7 +211,7 @@ void Blocks::draw_tools(Frame& f, const seq::Step& step) {
   }
   if (!several) {
     std::string_view why = why_none();
-    if (why.empty()) why = why_not_run_from(f);
+    if (why.empty()) why = why_no_new_run(f);
     if (tool("blocks/run_here", "Run from here", Icon::play_outline, why,
              "Shows the moves to the start of this block, and asks first."))
       run_.ask_from(f, editor_->sequence(), chosen_.row());

@@ -20,7 +20,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-void draw_step_refusal(Frame& f, const StepAtHand& step, float width) {
+void draw_step_refusal(Frame& f, const EditedStep& step, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   wrapped(f.ui, Face::small, Tone::fault, step.refused->why, width);
   show(f.ui, {Path("{}/refusal", step.path), Kind::text, "Refused", step.refused->why},

@@ -12,19 +12,19 @@ namespace hw::panels {
 
 using namespace gui;
 
-/// On a controller that runs several programs, blocks are the first one.
+/// On a controller that runs several programs, the blocks are the first program.
 void LiveBlock::follow(Frame& f, const SequenceText& blocks) {
   step_ = -1, words_ = {};
   const ProgramState& p = f.now.program;
   if (!is_under_way(p)) return;
   const ThreadState& thread = f.now.threads.front();
   const bool threads = f.catalog.program.threads > 0;
-  const RunFollower::Place place = f.tab.desk().follower.place();
+  const RunFollower::Place place = f.tab.desk().programs.follower.place();
   const RunState run = threads ? thread.run : p.run;
   const int slot = threads ? 0 : place.slot, command = threads ? thread.line : place.command;
   if ((threads && !(thread.known && is_busy(thread))) || slot < 0) return;
   const SequenceText* held = held_in(f, slot, blocks);
-  const int line = held ? f.tab.desk().texts.live_line(slot, command) : -1;
+  const int line = held ? f.tab.desk().programs.texts.live_line(slot, command) : -1;
   if (line < 0 || ix(line) >= held->step_of_line.size()) return;
   bool leads = false;
   step_ = block_of(held->step_of_line[ix(line)], leads);
@@ -38,12 +38,13 @@ void LiveBlock::follow(Frame& f, const SequenceText& blocks) {
 
 const SequenceText* LiveBlock::held_in(Frame& f, int slot, const SequenceText& blocks) {
   Desk& desk = f.tab.desk();
-  const std::string& text = desk.texts.text(slot);
+  const std::string& text = desk.programs.texts.text(slot);
   if (text == blocks.text) {
     rest_.reset(), rows_.clear();
     return &blocks;
   }
-  const WrittenSequence* source = desk.source.of(text, desk.blocks, desk.language(), f.catalog);
+  const WrittenSequence* source =
+      desk.programs.source.of(text, desk.blocks, desk.programs.language(), f.catalog);
   if (!source) return nullptr;
   if (rest_ != source->sequence || whole_ != desk.blocks.editor.shared()) {
     rest_ = source->sequence, whole_ = desk.blocks.editor.shared();

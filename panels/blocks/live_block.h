@@ -1,5 +1,5 @@
 #pragma once
-// The block being executed: of the blocks themselves, or of a rest of them that was run from one of them on.
+// Follows the block that is executed, when all blocks run, or the rest of them from a block on.
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,23 +15,22 @@ class LiveBlock {
  public:
   /// Call once a frame. `blocks`: their present text.
   void follow(gui::Frame& frame, const SequenceText& blocks);
-  /// As SequenceText counts the steps; -1: none of these blocks, or unknown.
+  /// The step that is executed, as SequenceText counts the steps; -1: none of these blocks, or unknown.
   [[nodiscard]] int step() const { return step_; }
-  /// "runs", "held here", "waits here", "on its way there"; with "worked out" if the controller does not
-  /// report it.
+  /// "runs", "held here", "waits here", "on its way there"; with "worked out" if the console infers it.
   [[nodiscard]] std::string_view words() const { return words_; }
 
  private:
-  /// The text the controller holds in the slot; null: no text of these blocks.
+  /// The text that the controller has in the slot; null: no text of these blocks.
   const SequenceText* held_in(gui::Frame& frame, int slot, const SequenceText& blocks);
-  /// The block of a step of the held text; `leads`: the step only leads to that block.
+  /// The block of a step of that text; `leads`: the step only leads to that block.
   [[nodiscard]] int block_of(int step, bool& leads) const;
 
   int step_ = -1;
   std::string_view words_;
   std::shared_ptr<const sequence::Sequence> rest_, whole_;
-  std::vector<int> rows_;  ///< sequence::rows_of_rest(); empty: the text of all blocks is held
-  int begins_at_ = -1;     ///< the first of them
+  std::vector<int> rows_;  ///< sequence::rows_of_rest(); empty: the controller has the text of all blocks
+  int begins_at_ = -1;     ///< first block of the rest
 };
 
 }  // namespace hw::panels

@@ -21,15 +21,15 @@ Result<WrittenText> written_of(const Language& language, const seq::Sequence& se
                                const Catalog& catalog) {
   WrittenText made;
   const auto* partial = dynamic_cast<const PartialWriter*>(&language);
-  auto text = partial ? partial->write_what_can_be(sequence, catalog, made.refused)
-                      : language.write(sequence, catalog);
+  auto text =
+      partial ? partial->write_with_gaps(sequence, catalog, made.refused) : language.write(sequence, catalog);
   if (!text) return tl::unexpected(text.error());
   made.text = std::move(*text);
   made.report = language.analyse(made.text.text, 0);
   return made;
 }
 
-/// A step as a row of the list, as SequenceText counts it, and as users do: "3.2".
+/// A step as a row of the list, as SequenceText counts it, and as the user counts it: "3.2".
 struct RowStep {
   seq::Step* step;
   std::string number;
@@ -87,7 +87,7 @@ class OwnTexts {
     return known ? text.step_of_line[ix(problem.line)] : -1;
   }
 
-  /// Leaves out the steps marked by an error. Excess cost of a line is no fault of its block.
+  /// Leaves out the steps that have an error. A line that exceeds the memory is not an error of its block.
   bool leave_out_marked(const WrittenText& written) {
     bool any = false;
     for (const Problem& problem : written.report.problems) {
@@ -104,7 +104,7 @@ class OwnTexts {
     return any;
   }
 
-  /// Leaves out a step that causes an error elsewhere: without it there are fewer.
+  /// Leaves out a step that causes an error elsewhere: a step without which there are fewer errors.
   bool leave_out_cause(const WrittenText& written) {
     constexpr int most_tried = 24;
     const std::ptrdiff_t errors = errors_in(written.report);
@@ -146,7 +146,7 @@ class OwnTexts {
   const Language& language_;
   const Catalog& catalog_;
   seq::Sequence kept_;
-  std::vector<RowStep> rows_;  ///< of `kept_`, whose lists stay unchanged
+  std::vector<RowStep> rows_;  ///< rows of `kept_`, whose lists stay unchanged
   std::vector<RefusedStep> refused_;
 };
 

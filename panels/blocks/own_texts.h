@@ -1,7 +1,7 @@
 #pragma once
-// Writes a list whose blocks hold text in the controller's own language, which may be anything. Text that the
-// language refuses is left out like any other block that cannot be written: a comment takes its place, and
-// the rest stays a program. Pure.
+// Writes a list with blocks that hold any text in the controller's own language. A text that the language
+// refuses is left out, as any block that cannot be written: a comment takes its place, and the rest stays a
+// program. Pure.
 #include <vector>
 
 #include "core/device/language.h"
@@ -13,9 +13,9 @@ namespace hw::panels {
 struct WrittenText {
   SequenceText text;
   ProgramReport report;              ///< of the text
-  std::vector<RefusedStep> refused;  ///< in no order
+  std::vector<RefusedStep> refused;  ///< not sorted
 };
-/// The fault: nothing can be written. Slow: run it on the worker.
+/// Writes the list. A fault means that none of it can be written. Slow: call it on the worker.
 Result<WrittenText> write_without_bad_texts(const Language& language, const sequence::Sequence& sequence,
                                             const Catalog& catalog);
 

@@ -1,4 +1,4 @@
-// The lines about axes and places.
+// Draws the lines of a form about axes and places.
 #include <algorithm>
 #include <array>
 
@@ -106,7 +106,8 @@ void FieldLines::choose_axis(std::string_view key, int& value, bool or_all) {
   const std::span<const std::string_view> shown(names.data(), many);
   const ImVec2 at = begin(key);
   constexpr float cell = 36;
-  const bool in_a_row = static_cast<float>(many) * cell <= width_ - field_label_width;  // not of eight axes
+  const bool in_a_row =
+      static_cast<float>(many) * cell <= width_ - field_label_width;  // eight axes do not fit
   const Path id("{}/{}", path_, key);
   const int picked = in_a_row ? segment(f_.ui, id, shown, value < 0 ? last : value, {.cell_width = cell})
                               : dropdown(f_.ui, id, label(key), shown, value < 0 ? last : value);

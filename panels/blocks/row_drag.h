@@ -1,5 +1,5 @@
 #pragma once
-// Dragging a row of a list to a place before or after another.
+// Drags a row of a list to a place before or after another row.
 #include <cstddef>
 #include <optional>
 
@@ -15,9 +15,9 @@ class RowDrag {
   };
   /// Call for each row drawn, in order.
   void see(gui::Ui& ui, std::size_t row, const gui::Touch& touch);
-  /// Call after all rows. Draws the insertion mark; returns the row dropped in this frame.
+  /// Call after all rows. Draws the insertion mark. Returns the row dropped in this frame.
   std::optional<Drop> finish(gui::Ui& ui);
-  /// A row is being dragged: ignore clicks.
+  /// Whether a row is being dragged; ignore clicks then.
   [[nodiscard]] bool carries() const { return carried_.has_value(); }
 
  private:

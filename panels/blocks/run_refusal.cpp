@@ -15,7 +15,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// The text after the first "Line " or "line ": "12"; of "step 3.1 (move)": "3.1".
+/// The number after the first "Line " or "line ": "12"; in "step 3.1 (move)": "3.1".
 std::string_view number_behind(std::string_view words, std::string_view noun) {
   for (std::size_t at = words.find(noun); at != words.npos; at = words.find(noun, at + 1)) {
     std::string_view number = words.substr(at + noun.size());
@@ -51,7 +51,7 @@ void RunRefusal::set(std::string words, std::string text, std::optional<int> fro
   found_in_ = ~std::uint64_t{0};
 }
 
-/// Blocks that write no text may be moved while the card stands.
+/// The row is looked up again, because blocks that write no text may be moved while the card is open.
 void RunRefusal::find_row(const SequenceText& text, const BlockRows& rows) {
   if (found_in_ == rows.version()) return;
   const bool has_moved = found_in_ != ~std::uint64_t{0};

@@ -42,7 +42,7 @@ StepForm::Draft StepForm::leave() {
   return draft;
 }
 
-std::optional<sequence::Step::Body> StepForm::draw(Frame& f, const StepAtHand& step, float width) {
+std::optional<sequence::Step::Body> StepForm::draw(Frame& f, const EditedStep& step, float width) {
   if (!edited_) edited_ = without_steps(step.body);
   if (path_ != step.path) path_ = step.path;
   for (const auto& [below, text] : waiting_.texts) numbers_[path_ + below].text = text;

@@ -1,8 +1,8 @@
 #pragma once
-// The fields of one step of a sequence, drawn from the same description as its file format
-// (core/sequence/fields.h). If the controller cannot do the step, the reason stands beside the field
-// concerned. Ids: `PATH/KEY`, of a move `PATH/to/AXIS`, `PATH/axes/1`, `PATH/axes/2` and `PATH/way` of an
-// arc, `PATH/stairs/N/until`, `PATH/nearest`, `PATH/refusal`.
+// Draws the fields of a step of a sequence, from the description that its file format has too
+// (core/sequence/fields.h). If the controller cannot do the step, the reason is beside the field concerned.
+// Ids: `PATH/KEY`, of a move `PATH/to/AXIS`, `PATH/axes/1`, `PATH/axes/2` and `PATH/way` of an arc,
+// `PATH/stairs/N/until`, `PATH/nearest`, `PATH/refusal`.
 #include <map>
 #include <optional>
 #include <string>
@@ -19,7 +19,7 @@
 namespace hw::panels {
 
 /// The step to edit.
-struct StepAtHand {
+struct EditedStep {
   std::string_view path;
   const sequence::Step::Body& body;
   const sequence::Sequence& of;
@@ -33,14 +33,15 @@ class StepForm {
   struct Draft {
     std::string problem;                       ///< StepForm::problem(); empty: all input was accepted
     std::optional<sequence::Step::Body> body;  ///< the present body, without the steps inside it
-    std::vector<std::pair<std::string, std::string>> texts;  ///< of fields, by their id after the block's
+    std::vector<std::pair<std::string, std::string>>
+        texts;  ///< texts of fields, by their id without that of the block
     [[nodiscard]] bool is_of(const sequence::Step::Body& body) const;
   };
-  /// Draws at ImGui's cursor. Returns the edited body; none: unchanged. At rest it allocates nothing.
-  std::optional<sequence::Step::Body> draw(gui::Frame& frame, const StepAtHand& step, float width);
-  /// Call when another step is shown, or the same one with other values.
+  /// Draws at ImGui's cursor. Returns the edited body; nullopt: unchanged. Allocates nothing at rest.
+  std::optional<sequence::Step::Body> draw(gui::Frame& frame, const EditedStep& step, float width);
+  /// Call when another step is shown, or the same step with other values.
   void forget() { numbers_.clear(), edited_.reset(), problem_.clear(), waiting_ = {}; }
-  /// forget(), returning the input not accepted so far.
+  /// As forget(), but returns the input that was not accepted.
   [[nodiscard]] Draft leave();
   /// Puts a draft back into the fields of its block.
   void take_up(Draft draft) { waiting_ = std::move(draft), problem_ = waiting_.problem; }
@@ -50,8 +51,8 @@ class StepForm {
  private:
   std::map<std::string, gui::NumberField, std::less<>> numbers_;
   std::optional<sequence::Step::Body> edited_;  ///< without the steps inside it
-  std::string problem_, path_;                  ///< path_: of the block drawn last
-  Draft waiting_;                               ///< given to take_up(), until its fields are drawn
+  std::string problem_, path_;                  ///< path_: id of the block drawn last
+  Draft waiting_;                               ///< draft of take_up(), until its fields are drawn
 };
 
 }  // namespace hw::panels

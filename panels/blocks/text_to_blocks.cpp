@@ -31,8 +31,8 @@ std::string what_came(const SequenceRead& read) {
 
 std::string_view TextToBlocks::why_not(const Frame& f) {
   Desk& desk = f.tab.desk();
-  if (!desk.language()) return "Blocks cannot be read from the language of this controller.";
-  if (desk.texts.text(desk.texts.chosen()).empty()) return "The program is empty.";
+  if (!desk.programs.language()) return "Blocks cannot be read from the language of this controller.";
+  if (desk.programs.texts.text(desk.programs.texts.chosen()).empty()) return "The program is empty.";
   return {};
 }
 
@@ -53,17 +53,18 @@ void TextToBlocks::show(Frame& f) {
 void TextToBlocks::read(Frame& f) {
   if (const auto why = why_not(f); !why.empty()) return f.toast(Severity::warn, std::string(why));
   Desk& desk = f.tab.desk();
-  desk.worker().run(
-      [language = desk.language(), text = desk.texts.text(desk.texts.chosen()),
+  desk.work.worker().run(
+      [language = desk.programs.language(), text = desk.programs.texts.text(desk.programs.texts.chosen()),
        frame = desk.blocks.editor.shared(), catalog = std::make_shared<const Catalog>(f.catalog)] {
         return language->read(text, *frame, *catalog);
       },
       [&console = f.console, &tab = f.tab](Result<SequenceRead> read) {
-        if (!read) return console.toast(tab, Severity::warn, read.error().sentence(), &tab.desk().texts);
+        if (!read)
+          return console.toast(tab, Severity::warn, read.error().sentence(), &tab.desk().programs.texts);
         console.toast(tab, Severity::ok, what_came(*read));
         tab.desk().blocks.became(std::move(read->sequence));
       },
-      desk.alive());
+      desk.work.alive());
   f.ui.wake_in(0);
 }
 

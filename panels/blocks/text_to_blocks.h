@@ -9,12 +9,12 @@ namespace hw::panels {
 
 class TextToBlocks {
  public:
-  /// Empty: it can be tried.
+  /// Why the text cannot be turned into blocks; empty: it can be tried.
   [[nodiscard]] static std::string_view why_not(const gui::Frame& frame);
-  /// Asks first if blocks have unsaved changes. A toast shows the result.
+  /// Turns the text into blocks; asks first if the blocks have unsaved changes. A toast shows the result.
   void start(gui::Frame& frame);
   void draw_dialog(gui::Frame& frame);
-  /// For other panels: shows the blocks, which ask first if they have unsaved changes.
+  /// Called by other panels. Shows the Blocks panel, which asks first if its blocks have unsaved changes.
   static void show(gui::Frame& frame);
 
  private:

@@ -20,7 +20,7 @@ using namespace gui;
 namespace seq = sequence;
 namespace {
 
-/// Its places in the units shown, or back.
+/// Converts positions to the units shown, or back.
 seq::StepList in_other_units(seq::StepList steps, const seq::Look& look, bool shown) {
   for (seq::Step& step : steps)
     if (auto* move = std::get_if<seq::Move>(&step.body))
@@ -55,7 +55,7 @@ void ToolRoutines::follow(const seq::Editor& editor, const Catalog& catalog, con
   const bool same = of_ && same_tool(*of_, editor.sequence()) && look_ == look && loads_ == editor.loads();
   of_ = editor.shared();
   loads_ = editor.loads();
-  // A refused routine goes with the last block that shows it.
+  // A refused routine is dropped with the last block that shows it.
   if (same && !problem_.empty() && !has_tool(of_->steps)) texts_ = kept_, problem_.clear();
   if (same) return;
   look_ = look;
@@ -67,7 +67,7 @@ void ToolRoutines::follow(const seq::Editor& editor, const Catalog& catalog, con
   if (!why_not_.empty() || !again) problem_.clear();
 }
 
-/// Both at once: what one of them switches on the other has to switch off.
+/// Reads both at once, because one routine must switch off the outputs that the other switches on.
 std::optional<seq::Sequence> ToolRoutines::read() {
   seq::Sequence frame = seq::frame_of(*of_);
   const PerUnit upright = [](const std::string&) { return 1.0; };

@@ -1,6 +1,6 @@
 #pragma once
-// The routines that lower and lift the tool, below an open Tool block: the routines are those of all its Tool
-// blocks. Ids: `PATH/pen_down`, `PATH/pen_up`, `PATH/routine` (why they are not taken).
+// Draws the routines that lower and lift the tool below an open Tool block. All Tool blocks of a sequence
+// share them. Ids: `PATH/pen_down`, `PATH/pen_up`, `PATH/routine` (why they are refused).
 #include <array>
 #include <memory>
 #include <optional>
@@ -18,9 +18,9 @@ class ToolRoutines {
  public:
   /// Call once a frame.
   void follow(const sequence::Editor& editor, const Catalog& catalog, const sequence::Look& look);
-  /// Draws at ImGui's cursor. Returns the changed frame of the sequence; none: unchanged.
+  /// Draws at ImGui's cursor. Returns the changed frame of the sequence; nullopt: unchanged.
   std::optional<sequence::Sequence> draw(gui::Frame& frame, std::string_view path, float width);
-  /// Typed and not taken: "Tool: \"DO9 on\" is not understood."; empty: both were taken.
+  /// Why typed routines were refused: "Tool: \"DO9 on\" is not understood."; empty: both were accepted.
   [[nodiscard]] std::string_view problem() const { return problem_; }
 
  private:
@@ -30,8 +30,8 @@ class ToolRoutines {
   std::shared_ptr<const sequence::Sequence> of_;
   const Catalog* catalog_ = nullptr;
   sequence::Look look_;
-  std::array<std::string, 2> texts_, kept_;  ///< down, up: as typed, and as the sequence has them
-  std::string why_not_;                      ///< routines that these words cannot describe
+  std::array<std::string, 2> texts_, kept_;  ///< down, up: as typed, and as in the sequence
+  std::string why_not_;                      ///< why the routines cannot be shown in words
   std::uint64_t loads_ = 0;                  ///< Editor::loads() at the last follow()
   std::string problem_;
 };

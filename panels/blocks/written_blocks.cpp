@@ -14,7 +14,7 @@
 namespace hw::panels {
 namespace {
 
-/// Writers prefix it with the name of the step and a colon.
+/// Removes the name of the step and the colon that writers put before the reason.
 std::string as_sentence(std::string why) {
   if (why.empty()) return why;
   why.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(why.front())));
@@ -22,7 +22,7 @@ std::string as_sentence(std::string why) {
   return why;
 }
 
-/// In order, with only the first refusal of each block.
+/// Sorts the refusals by block and keeps only the first refusal of each block.
 void sort_refused(std::vector<RefusedStep>& all) {
   std::stable_sort(all.begin(), all.end(),
                    [](const RefusedStep& a, const RefusedStep& b) { return a.step < b.step; });

@@ -18,7 +18,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-/// Empty: not known, as after a crash.
+/// When the last run ended; empty: unknown, as after a crash.
 static std::string when_closed(const ClosingTime& when, const std::string& today) {
   if (when.date.empty()) return {};
   return fmt::format("closed {} {}", when.date == today ? "today" : when.date, when.time);
@@ -83,13 +83,13 @@ StatusSentence Connect::status(Console& console) {
                                ports.size() == 1 ? "port" : "ports")
                               .view()};
   if (console.ports().busy()) return {Severity::plain, "Searching for ports and controllers."};
-  constexpr std::string_view another = "Plug in another, type its address, or start an emulator.";
+  constexpr std::string_view another = "Plug in another controller, type its address, or start an emulator.";
   if (const int open = console.faces(); open > 1)
     return {Severity::plain, Path("{} controllers are open. {}", open, another).view()};
   else if (open == 1)
     return {Severity::plain, Path("One controller is open. {}", another).view()};
   return {Severity::plain,
-          "Plug a controller in, type its address, or start an emulator: none is found yet."};
+          "Plug a controller in, type its address, or start an emulator: no controller is found yet."};
 }
 
 void Connect::open(PageFrame& f, const std::string& address) {
@@ -97,7 +97,7 @@ void Connect::open(PageFrame& f, const std::string& address) {
   if (auto opened = f.console.open(address); !opened) refused_ = opened.error().sentence();
 }
 
-/// Connections that are open already stay as they are. The first one comes to the front.
+/// Opens the connections of the last run that are not open yet. The first of them comes to the front.
 void Connect::open_last_time(PageFrame& f) {
   std::vector<std::string> all;
   for (const Recent& r : recent_)
@@ -112,7 +112,7 @@ void Connect::open_last_time(PageFrame& f) {
   if (front) f.console.activate(*front);
 }
 
-/// Works only when the list has changed.
+/// Does work only when the list has changed.
 void Connect::look_at_recent(Console& console) {
   const auto& list = console.recent().list();
   const auto same = [&](const Recent& r, const RecentConnection& c) {
@@ -133,8 +133,8 @@ void Connect::look_at_recent(Console& console) {
   }
 }
 
-/// "ttyUSB1, 9600 baud". The ids of a bus stand in its name, as in its tab, unless the user has given
-/// another.
+/// "ttyUSB1, 9600 baud". The name of a bus contains its ids, as in its tab, unless the user has given it
+/// another name.
 void Connect::describe_place(Recent& r) {
   const Address& address = r.address;
   const bool somewhere = r.understood && !address.where.empty();
@@ -154,13 +154,13 @@ void Connect::describe_place(Recent& r) {
     r.name += fmt::format(" {}\u2013{}", id->second.substr(0, range), id->second.substr(range + 1));
 }
 
-// ---- left: used before
+// ---- left: connections used before
 
 void Connect::draw_left(PageFrame& f, float width) {
   Ui& ui = f.ui;
   const bool newcomer = std::none_of(recent_.begin(), recent_.end(),
                                      [](const Recent& r) { return r.understood && !r.address.emulated(); });
-  float title_height = 56;  // of the first as of the other columns
+  float title_height = 56;  // as in the other columns
   for (const bool last_time : {true, false}) {
     const auto belongs = [&](const Recent& r) { return r.last_time == last_time; };
     if (std::none_of(recent_.begin(), recent_.end(), belongs)) continue;
@@ -181,7 +181,7 @@ void Connect::draw_left(PageFrame& f, float width) {
   draw_log_button(f);
 }
 
-/// With the end of that run: "closed today 09:48".
+/// Draws the title of the last connections with the end of that run: "closed today 09:48".
 void Connect::draw_last_time_title(PageFrame& f, float width) {
   constexpr float height = 56;
   constexpr Duration read_again_after = std::chrono::minutes(1);  // "today" ends at midnight
@@ -241,7 +241,8 @@ void Connect::draw_recent(PageFrame& f, std::size_t i, float width) {
   const bool forgets = button(ui, Path("connect/recent/{}/forget", i), "", o).clicked;
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(56)));
   if (opens && tab) f.console.activate(*tab);
-  if (opens && !tab) return open(f, std::string(r.entry.address));  // a copy: opening changes the list
+  if (opens && !tab)
+    return open(f, std::string(r.entry.address));  // a copy, because opening changes the list
   if (!forgets) return;
   if (auto forgotten = f.console.recent().remove(std::string(r.entry.address)); !forgotten)
     f.toast(Severity::fault, forgotten.error().sentence());
@@ -266,7 +267,7 @@ void Connect::draw_newcomer(PageFrame& f, float width) {
   draw_point(ui, 3, "Esc stops everything, at any time.", width);
 }
 
-// ---- below: not found automatically
+// ---- below: controllers that are not found automatically
 
 void Connect::draw_address(PageFrame& f, float width) {
   Ui& ui = f.ui;

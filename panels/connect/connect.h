@@ -12,8 +12,8 @@
 
 namespace hw::panels {
 
-/// Finds, reopens or starts a controller. In the centre: open controllers, ports of this computer, and
-/// connections used before.
+/// The connection page: finds, reopens or starts a controller. The centre lists open controllers, ports of
+/// this computer, and connections used before.
 class Connect final : public gui::Page {
  public:
   void draw(gui::PageFrame& frame) override;
@@ -47,7 +47,7 @@ class Connect final : public gui::Page {
   void draw_log(gui::PageFrame& frame);
   void draw_log_button(gui::PageFrame& frame);
 
-  /// A connection used before, parsed once and not in each frame.
+  /// A connection used before. It is parsed once, not in each frame.
   struct Recent {
     RecentConnection entry;
     std::string name, place;  ///< as shown
@@ -64,15 +64,15 @@ class Connect final : public gui::Page {
   ConnectForm form_{catalogs_};
   LinkCard card_;
   std::vector<Recent> recent_;
-  std::string closed_words_;  ///< when the last run ended, for today ...
-  Instant closed_read_at_{};  ///< ... at this time
+  std::string closed_words_;  ///< when the last run ended, in words that depend on today
+  Instant closed_read_at_{};  ///< time at which the words were made
   std::string address_, refused_;
-  std::string opened_path_;  ///< the port whose test is unfolded
-  bool form_shown_ = false;  ///< even while a card needs the room
+  std::string opened_path_;  ///< path of the port whose test is unfolded
+  bool form_shown_ = false;  ///< shown even while a card needs the space
   std::vector<Choice> choices_;
   LogView log_;
-  bool log_shown_ = false;        ///< instead of the connections
-  std::string emulator_address_;  ///< of the emulator being drawn; kept for its memory
+  bool log_shown_ = false;        ///< shown instead of the connections
+  std::string emulator_address_;  ///< address of the emulator being drawn; a member to keep its memory
 };
 
 }  // namespace hw::panels

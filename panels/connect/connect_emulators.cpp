@@ -1,4 +1,4 @@
-// The right column of the connection page: emulators to start, and to serve to other programs.
+// Draws the right column of the connection page: emulators to start, and to serve to other programs.
 #include <algorithm>
 #include <iterator>
 
@@ -24,7 +24,7 @@ namespace {
 
 constexpr float option_row = 36, start_width = 64;
 
-/// Without the maker. A board is identified by its options.
+/// The title without the maker. A board is identified by its options.
 std::string_view title_of(const Catalog& c) {
   return c.can.window ? std::string_view(c.short_name)
                       : std::string_view(c.name).substr(c.name.rfind(' ') + 1);

@@ -28,7 +28,7 @@ using namespace gui;
 namespace {
 
 constexpr float option_width = 184, rate_width = 92, id_width = 72, least_port = 120;
-/// Width of the search fields and the button in one line.
+/// Least width at which the search fields and the button are in one line.
 constexpr float search_in_one_line = 500;
 
 int number_in(const std::string& text, int fallback) {
@@ -47,7 +47,7 @@ void ConnectForm::make() {
   rates_.assign(rates.begin(), rates.end());
   for (const int rate : rates_) rate_words_.push_back(fmt::format("{}", rate));
   for (const Catalog& c : catalogs_.all()) {
-    ways_.push_back(ways_to(c));
+    transports_.push_back(ways_to(c));
     std::vector<std::string>& words = baud_words_.emplace_back();
     for (const int baud : c.can.bauds) words.push_back(fmt::format("{}", baud));
   }
@@ -56,8 +56,12 @@ void ConnectForm::make() {
 // A controller addressed by an id has ids in its catalog.
 bool ConnectForm::has_ids() const { return catalog().addressed(); }
 
-const ConnectForm::Ways& ConnectForm::ways() const { return ways_[static_cast<std::size_t>(model_)]; }
-const TransportInfo& ConnectForm::way() const { return *ways()[static_cast<std::size_t>(way_)]; }
+const ConnectForm::Transports& ConnectForm::transports() const {
+  return transports_[static_cast<std::size_t>(model_)];
+}
+const TransportInfo& ConnectForm::transport() const {
+  return *transports()[static_cast<std::size_t>(transport_)];
+}
 
 const std::string& ConnectForm::address() {
   const Catalog& c = catalog();
@@ -65,14 +69,14 @@ const std::string& ConnectForm::address() {
   const auto put = [&]<class... Args>(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(made_address_), format, std::forward<Args>(args)...);
   };
-  if (way().is_usb) {
+  if (transport().is_usb) {
     put("{}@usb", c.model);
     if (!port_.empty() && !port_.starts_with('/')) put(":{}", port_);
     return made_address_;
   }
-  put("{}@{}:{}", c.model, way().name, port_);
-  if (way().has_base) put(",base={}", base_);
-  if (way().has_rate && baud_ < static_cast<int>(c.can.bauds.size()))
+  put("{}@{}:{}", c.model, transport().name, port_);
+  if (transport().has_base) put(",base={}", base_);
+  if (transport().has_rate && baud_ < static_cast<int>(c.can.bauds.size()))
     put(",baud={}", c.can.bauds[static_cast<std::size_t>(baud_)]);
   if (has_ids() && !id_.empty()) put(",id={}", id_);
   if (!has_options()) return made_address_;
@@ -98,12 +102,12 @@ std::string ConnectForm::draw(PageFrame& f, float width) {
 }
 
 void ConnectForm::choose(int picked) {
-  way_ = picked;
-  port_ = way().example;
+  transport_ = picked;
+  port_ = transport().example;
 }
 
-/// Two lines: model, way, port; Open and its address. Rate and id stand in the first if there is room, else
-/// in the second.
+/// Draws two lines: model, transport and port, then Open and its address. Rate and id are in the first line
+/// if they fit, else in the second.
 bool ConnectForm::draw_parts(PageFrame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -111,28 +115,28 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   for (const Catalog& c : catalogs_.all()) models.add(c.short_name);
   const int model = dropdown(ui, "connect/form/model", "Model", models, model_);
   if (model >= 0) {
-    const TransportInfo* before = &way();
+    const TransportInfo* before = &transport();
     model_ = model;
     baud_ = 0;
     id_ = catalog().id();
-    const Ways& has = ways();
+    const Transports& has = transports();
     const auto same = std::find(has.begin(), has.end(), before);
-    same == has.end() ? choose(0) : void(way_ = static_cast<int>(same - has.begin()));
+    same == has.end() ? choose(0) : void(transport_ = static_cast<int>(same - has.begin()));
   }
   ImGui::SameLine(0, ui.px(between));
   Names titles;
-  for (const TransportInfo* w : ways()) titles.add(w->title);
-  const int picked = dropdown(ui, "connect/form/way", "Way", titles, way_);
+  for (const TransportInfo* w : transports()) titles.add(w->title);
+  const int picked = dropdown(ui, "connect/form/way", "Way", titles, transport_);
   if (picked >= 0) choose(picked);
   ImGui::SameLine(0, ui.px(between));
-  const bool by_usb = way().is_usb, has_id = has_ids() && !by_usb,
-             has_rate_or_base = way().has_rate || way().has_base;
+  const bool by_usb = transport().is_usb, has_id = has_ids() && !by_usb,
+             has_rate_or_base = transport().has_rate || transport().has_base;
   const float numbers = (has_rate_or_base ? rate_width + between : 0) + (has_id ? id_width + between : 0);
   const float used = (ImGui::GetCursorScreenPos().x - at.x) / ui.scale;
   const bool one_line = width - used - numbers >= least_port;
   FieldOptions port;
   port.face = Face::code_field;
-  port.placeholder = by_usb ? "the only one, or its serial number" : "";
+  port.placeholder = by_usb ? "serial number, if there are several" : "";
   port.width = width - used - (one_line ? numbers : 0);
   text_field(ui, "connect/form/port", "Port", port_, port);
   const auto draw_numbers = [&](bool before) {
@@ -150,7 +154,8 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   const bool opened = button(ui, "connect/form/open", "Open", open).clicked;
   ImGui::SameLine(0, ui.px(between));
   const ImVec2 words = ImGui::GetCursorScreenPos();
-  if (words.x + text_width(ui, Face::code_field, made) <= at.x + ui.px(width))  // else only in the tooltip
+  if (words.x + text_width(ui, Face::code_field, made) <=
+      at.x + ui.px(width))  // else only the tooltip shows it
     draw_text_line(ui, words.x, at.x + ui.px(width), at.y + ui.px(56), Face::code_field, ui[Tone::ink2],
                    made);
   show(ui, {"connect/form/address", Kind::text, "Address", made, {}, false, {}},
@@ -160,7 +165,7 @@ bool ConnectForm::draw_parts(PageFrame& f, float width) {
   return opened;
 }
 
-/// Facts that a board does not report before it is opened.
+/// Draws the options that a board does not report before it is opened.
 void ConnectForm::draw_options(Ui& ui) {
   for (const OptionInfo& option : catalog().options) {
     Names names;
@@ -179,7 +184,7 @@ void ConnectForm::draw_options(Ui& ui) {
 
 /// The rate of a serial line, or the window address of a board.
 void ConnectForm::draw_rate_or_base(Ui& ui) {
-  if (way().has_base) {
+  if (transport().has_base) {
     FieldOptions base;
     base.face = Face::code_field;
     base.width = rate_width;
@@ -203,8 +208,8 @@ void ConnectForm::draw_id(Ui& ui) {
   text_field(ui, "connect/form/id", "Id", id_, id);
 }
 
-/// For a model that leaves the factory on another line: how to bring it onto the shared line, in the words of
-/// its own setting. Empty: not needed.
+/// Says how to bring a model that leaves the factory with another line setting onto the shared line, in the
+/// words of that setting. Empty: not needed.
 const std::string& ConnectForm::guide() {
   if (std::exchange(guide_of_, model_) == model_) return guide_;
   guide_.clear();
@@ -252,16 +257,16 @@ std::string ConnectForm::words_of(const DeviceSearchState& state) const {
     return state.found.empty() ? "There is no serial port to search." : "No port could be searched.";
   const auto devices = std::count_if(state.found.begin(), state.found.end(),
                                      [](const FoundDevice& d) { return !d.address.empty(); });
-  return fmt::format("{} after {} of {} questions, {} found.", state.cancelled ? "Ended" : "Done",
-                     state.asked, state.of, devices);
+  return fmt::format("{} after {} of {} queries, {} found.", state.cancelled ? "Ended" : "Done", state.asked,
+                     state.of, devices);
 }
 
-/// Fields for the unknown parts: port, rate, id.
+/// Draws fields for the unknown parts: port, rate, id.
 void ConnectForm::draw_search_fields(Ui& ui, bool in_one_line) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   Names places;
   places.add("every port");
-  if (way().is_port && !port_.empty()) places.add(port_);
+  if (transport().is_port && !port_.empty()) places.add(port_);
   one_port_ = one_port_ && places.size() > 1;
   DropdownOptions o;
   o.width = 132;
@@ -309,7 +314,7 @@ std::string ConnectForm::draw_search(PageFrame& f, float width) {
   draw_search_fields(ui, in_one_line);
   const float fields = in_one_line ? 0 : 40;
   ButtonOptions o;
-  o.tip = "Asks each id at each of these rates and ports. It moves nothing, and takes a while.";
+  o.tip = "Queries each id at each of these rates and ports. The search moves nothing, and takes a while.";
   if (state.running) {
     if (button(ui, "connect/search/cancel", "End the search", o).clicked) finder.cancel();
   } else if (button(ui, "connect/search", "Search", o).clicked) {

@@ -1,5 +1,5 @@
 #pragma once
-// Builds an address from its parts: model, way, port, rate, id; and searches for devices when some of them
+// Builds an address from its parts (model, transport, port, rate, id), and searches for devices when parts
 // are unknown. Ids: `connect/form/...`, `connect/search/...`.
 #include <map>
 #include <string>
@@ -17,20 +17,20 @@ namespace hw::panels {
 class ConnectForm {
  public:
   explicit ConnectForm(const UsualCatalogs& catalogs) : catalogs_(catalogs) {}
-  /// Draws at ImGui's cursor. Returns the address to open when Open was pressed or a found device chosen;
+  /// Draws at ImGui's cursor. Returns the address to open when Open was pressed or a found device was chosen;
   /// else empty.
   std::string draw(gui::PageFrame& frame, float width);
   /// The address from the present parts: "MODEL@serial:/dev/ttyUSB0,baud=9600,id=01".
   [[nodiscard]] const std::string& address();
-  /// Logical.
+  /// The height of the form, logical.
   float height(gui::PageFrame& frame, float width);
 
  private:
   void make();
   void choose(int picked);
-  using Ways = std::vector<const TransportInfo*>;
-  [[nodiscard]] const Ways& ways() const;
-  [[nodiscard]] const TransportInfo& way() const;
+  using Transports = std::vector<const TransportInfo*>;
+  [[nodiscard]] const Transports& transports() const;
+  [[nodiscard]] const TransportInfo& transport() const;
   [[nodiscard]] const Catalog& catalog() const { return catalogs_.all()[static_cast<std::size_t>(model_)]; }
   [[nodiscard]] bool has_ids() const;
   bool draw_parts(gui::PageFrame& frame, float width);
@@ -47,14 +47,14 @@ class ConnectForm {
   bool made_ = false;
   const UsualCatalogs& catalogs_;
   int model_ = 0, baud_ = 0;
-  std::map<std::string, int> chosen_;  ///< of Catalog::options, by key
-  int way_ = 0;                        ///< among the ways that the controller has
+  std::map<std::string, int> chosen_;  ///< chosen values of Catalog::options, by key
+  int transport_ = 0;                  ///< index among the transports of the controller
   std::string port_ = "/dev/ttyUSB0", id_ = "01", base_ = "0xF000", first_ = "00", last_ = "99";
-  std::vector<Ways> ways_;  ///< of each catalog
-  std::vector<int> rates_;  ///< of the controllers that can share a line
+  std::vector<Transports> transports_;  ///< by catalog
+  std::vector<int> rates_;              ///< rates of the controllers that can share a line
   std::vector<std::string> rate_words_;
-  std::vector<std::vector<std::string>> baud_words_;  ///< of each catalog
-  std::string made_address_, guide_;                  ///< kept for their memory
+  std::vector<std::vector<std::string>> baud_words_;  ///< by catalog
+  std::string made_address_, guide_;                  ///< members to keep their memory
   int guide_of_ = -1;
   int rate_ = 0;  ///< 0: all
   bool one_port_ = false, searched_ = false;

@@ -1,4 +1,4 @@
-// The centre of the connection page: open controllers, plugged-in ports, and connections used before.
+// Draws the centre of the connection page: open controllers, plugged-in ports, and connections used before.
 #include <algorithm>
 
 #include "core/session/session.h"
@@ -31,8 +31,8 @@ struct PortLook {
 
 PortLook look_of(const FoundPort& port) {
   switch (port.state) {
-    case FoundPort::State::not_asked: return {Icon::ring, Tone::ink2, "Not asked yet"};
-    case FoundPort::State::asking: return {Icon::clock, Tone::ink2, "Being asked"};
+    case FoundPort::State::not_asked: return {Icon::ring, Tone::ink2, "Not identified yet"};
+    case FoundPort::State::asking: return {Icon::clock, Tone::ink2, "Being identified"};
     case FoundPort::State::answers: return {Icon::check, Tone::ok, port.title};
     case FoundPort::State::busy: return {Icon::pause, Tone::warn, "In use"};
     case FoundPort::State::forbidden: return {Icon::warning, Tone::warn, "No permission"};
@@ -42,7 +42,7 @@ PortLook look_of(const FoundPort& port) {
   return {Icon::cross, Tone::fault, "Could not be opened"};
 }
 
-/// Of an open controller.
+/// The row of an open controller.
 PlaceRow row_of(const LinkHealth& link) {
   PlaceRow row;
   switch (link.state) {
@@ -55,7 +55,7 @@ PlaceRow row_of(const LinkHealth& link) {
   return row;
 }
 
-/// "ttyUSB0, 9600 baud, firmware 1.34, 11.2 ms", on the stack.
+/// Joins facts on the stack: "ttyUSB0, 9600 baud, firmware 1.34, 11.2 ms".
 template <std::size_t n>
 std::string_view facts_of(const Tab& tab, char (&room)[n]) {
   const Address& address = address_of_all(tab);
@@ -76,7 +76,8 @@ std::string_view facts_of(const Tab& tab, char (&room)[n]) {
 
 }  // namespace
 
-/// Any emulator of the same kind matches: each start makes a new one.
+/// The open tab of an address. Any emulator of the same model matches, because each start makes a new
+/// emulator.
 Tab* find_open(const Console& console, const Address& address) {
   for (const auto& tab : console.tabs())
     if (Console::is_face(*tab) && address_of_all(*tab) == address) return tab.get();
@@ -150,7 +151,7 @@ void Connect::draw_found_title(PageFrame& f, float width) {
   if (opens_all) open_last_time(f);
 }
 
-/// Open controllers that no port of this list leads to, ports, and connections used before that are not
+/// Draws open controllers that have no port in this list, the ports, and connections used before that are not
 /// visible now.
 void Connect::draw_rows(PageFrame& f, float width) {
   Ui& ui = f.ui;
@@ -191,7 +192,7 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
   const float show_width = wide ? 112 : 64;
   EmulatorServer* server = f.console.ports().server();
   // A bus is served as a whole, whichever member is chosen.
-  const std::string& served_key = (tab.bus ? *tab.bus->members.front() : tab).profile_key;
+  const std::string& served_key = (tab.bus ? *tab.bus->members.front() : tab).settings.key;
   const bool serves = tab.emulated() && tab.session();
   const float own = serves ? serve_width : wide && !connected ? change_width : 0;
   const float used = show_width + between + doctor_width + (own > 0 ? between + own : 0);
@@ -212,14 +213,15 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
     const auto& options = address_of_all(tab).options;
     const auto wire = options.find("wire");
     const bool takes_time = wire != options.end() && wire->second == "real";
-    // A board has a bus of its own for each program.
-    const std::string_view why_not = !server ? not_served_here
-                                     : takes_time && !tab.catalog().can.window
-                                         ? "Serve another emulator at the right: on a wire with byte times, "
-                                           "this console would take replies to the other program for its own."
-                                         : std::string_view();
+    // A board cannot be served: each program has a bus of its own.
+    const std::string_view why_not =
+        !server ? not_served_here
+        : takes_time && !tab.catalog().can.window
+            ? "Serve another emulator at the right: on a wire with byte times, this console would receive "
+              "the other program's replies as its own."
+            : std::string_view();
     if (serve_switch(ui, Path("connect/here/{}/serve", index), "Serve", served, why_not, serve_width)) {
-      // On a bus, any device leads to the one wire of all.
+      // On a bus, the session of any device leads to the shared wire.
       turn_serving(ui, *server, served_key, address_of_all(tab), tab.session());
       served = server->find(served_key);
     }
@@ -238,7 +240,7 @@ void Connect::draw_open(PageFrame& f, std::size_t index, Tab& tab, float width) 
   if (shows) f.console.activate(tab);
 }
 
-/// A network connection, or a board: only opening it shows whether it is there.
+/// Draws a network connection or a board. Only opening it shows whether it is there.
 void Connect::draw_place(PageFrame& f, std::size_t index, float width) {
   Ui& ui = f.ui;
   const Recent& r = recent_[index];
@@ -285,9 +287,9 @@ void Connect::draw_port(PageFrame& f, std::size_t index, const FoundPort& port, 
       ui, row, width, main_width + between + test_width + (changes_too ? between + change_width : 0));
   const bool asking = port.state == FoundPort::State::asking;
   ButtonOptions action;
-  action.disabled = asking && !open_here ? "It is being asked." : "";
+  action.disabled = asking && !open_here ? "The controller is being identified." : "";
   RowButtons buttons(ui, width);
-  const std::string_view label = open_here ? "Show it" : answers ? "Connect" : "Ask again";
+  const std::string_view label = open_here ? "Show it" : answers ? "Connect" : "Identify";
   const bool acted = buttons.press(Path("connect/port/{}", index), label, main_width, action);
   ButtonOptions test;
   test.style = ButtonStyle::quiet;

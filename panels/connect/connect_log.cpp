@@ -1,5 +1,5 @@
-// The program's log on the connection page, where a controller that cannot be opened has no tab to show it
-// in.
+// Draws the program's log on the connection page, because a controller that cannot be opened has no tab to
+// show it.
 #include "gui/widgets/area.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
@@ -12,7 +12,7 @@ using namespace gui;
 void Connect::draw_log_button(PageFrame& f) {
   gap(f.ui, 16);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(ImVec2(at.x - f.ui.px(12), at.y));  // its words stand on the column's edge
+  ImGui::SetCursorScreenPos(ImVec2(at.x - f.ui.px(12), at.y));  // aligns its words with the column's edge
   ButtonOptions o;
   o.style = ButtonStyle::quiet;
   o.tip = "Why a port was not opened, or a controller refused or was lost.";

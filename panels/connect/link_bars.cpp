@@ -70,8 +70,8 @@ void draw_link_bar(Ui& ui, std::string_view id, std::string_view name, ImVec2 at
   const std::string whole = in_millis(budget.whole());
   draw_text_right(ui, ImVec2(right, std::floor(middle - ui.line(Face::body_bold) / 2)), Face::body_bold,
                   ui[Tone::ink], whole);
-  const Path shown("{}: question {:.1f}, answer {:.1f}, adapter {:.1f}, controller and computer {:.1f}",
-                   whole, seconds(budget.question) * 1e3, seconds(budget.answer) * 1e3,
+  const Path shown("{}: query {:.1f}, reply {:.1f}, adapter {:.1f}, controller and computer {:.1f}", whole,
+                   seconds(budget.question) * 1e3, seconds(budget.answer) * 1e3,
                    seconds(budget.adapter) * 1e3, seconds(budget.rest) * 1e3);
   show(ui, {id, Kind::text, name, shown, {}, false, {}}, {at, ImVec2(right, at.y + ui.px(bar_height))});
 }

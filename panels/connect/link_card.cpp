@@ -25,8 +25,8 @@ namespace {
 constexpr float fix_width = 172;
 constexpr double look_every_s = 1, examine_every_s = 3;
 
-/// What came before the first answer, perhaps at another rate or from a controller that was just switched on,
-/// is no news about a wire that works.
+/// Bytes before the first answer, perhaps at another rate or from a controller being switched on, do not
+/// count against the wire.
 void listen_to(const TrafficLog& log, Instant first_answer, TalkRecorder& recorder) {
   constexpr std::uint64_t enough = 4096;  // entries: some minutes of a link at rest
   const std::uint64_t end = log.first_record() + log.records();
@@ -79,7 +79,7 @@ void LinkCard::toggle(PageFrame& f, const Tab& tab, bool address) {
     examiner->examine(tab.address().where);
 }
 
-/// The raise outlives the controller's tab, which is closed and reopened on the way.
+/// Raising the rate outlives the controller's tab, which is closed and reopened meanwhile.
 void LinkCard::follow_raise(PageFrame& f) {
   if (!raise_.under_way()) return;
   f.ui.wake_in(0.1);
@@ -90,7 +90,7 @@ void LinkCard::follow_raise(PageFrame& f) {
   if (const Tab* there = raise_.tab(f.console)) of_ = address_ = address_of_all(*there).text();
 }
 
-/// Updates the facts once a second, not once a frame.
+/// Updates the facts once a second, not in each frame.
 void LinkCard::look(PageFrame& f, Tab& tab) {
   f.ui.wake_in(look_every_s);
   if (looked_at_s_ >= 0 && f.ui.now_s - looked_at_s_ < look_every_s) return;
@@ -100,7 +100,7 @@ void LinkCard::look(PageFrame& f, Tab& tab) {
   const std::vector<Tab*> all = tab.bus ? tab.bus->members : std::vector<Tab*>{&tab};
   for (Tab* member : all) {
     facts_.answers = facts_.answers && member->now().link.connected();
-    listen_to(member->desk().traffic, member->desk().events.first_answer_at(), recorder);
+    listen_to(member->desk().records.traffic, member->desk().records.events.first_answer_at(), recorder);
   }
   facts_.talk = recorder.measure();
   facts_.is_line = !tab.catalog().can.window;
@@ -110,7 +110,7 @@ void LinkCard::look(PageFrame& f, Tab& tab) {
     facts_.rate_is_set_by = tab.catalog().params[static_cast<std::size_t>(param)].mnemonic;
   PortExaminer* examiner = f.console.ports().examiner();
   if (examiner && is_port(tab) && f.ui.now_s - examined_at_s_ >= examine_every_s) {
-    examiner->examine(tab.address().where);  // a program that was closed meanwhile is not named any more
+    examiner->examine(tab.address().where);  // so that a program closed meanwhile is no longer named
     examined_at_s_ = f.ui.now_s;
   }
   const ExaminedPort* port = examiner && is_port(tab) ? examiner->find(tab.address().where) : nullptr;
@@ -164,7 +164,7 @@ void LinkCard::draw_summary(Ui& ui, const Tab& tab, float width) {
   const TalkMeasure& t = facts_.talk;
   const LinkHealth& link = tab.now().link;
   const std::string_view words = !link.connected() && !link.sentence.view().empty() ? link.sentence.view()
-                                 : summary_.empty() ? std::string_view("No question has been answered yet.")
+                                 : summary_.empty() ? std::string_view("No query has been answered yet.")
                                                     : std::string_view(summary_);
   wrapped(ui, Face::body_bold, Tone::ink, words, width);
   const float end = at.y + wrapped_height(ui, Face::body_bold, words, ui.px(width));
@@ -172,7 +172,7 @@ void LinkCard::draw_summary(Ui& ui, const Tab& tab, float width) {
        {at, ImVec2(at.x + ui.px(width), end)});
   ImGui::SetCursorScreenPos(ImVec2(at.x, end));
   if (t.questions == 0) return;
-  const Path times("{} questions measured: the quickest {}, half of them below {}, 99 of 100 below {}.",
+  const Path times("{} queries measured: the quickest {}, half of them below {}, 99 of 100 below {}.",
                    t.questions, in_millis(t.least), in_millis(t.median), in_millis(t.slowest_of_hundred));
   wrapped(ui, Face::small, Tone::ink2, times, width);
   const float below = end + wrapped_height(ui, Face::small, times, ui.px(width));
@@ -196,7 +196,7 @@ void LinkCard::draw_budget(Ui& ui, float width) {
 
 void LinkCard::draw_finding(PageFrame& f, Tab& tab, std::size_t index, float width) {
   Ui& ui = f.ui;
-  const LinkFinding finding = findings_[index];  // a copy: the remedy changes the list
+  const LinkFinding finding = findings_[index];  // a copy, because the remedy changes the list
   using State = LinkFinding::State;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool offered = finding.fix == LinkFinding::Fix::change_address && address_offered_;
@@ -248,7 +248,7 @@ void LinkCard::mend(PageFrame& f, Tab& tab, const LinkFinding& finding) {
   }
 }
 
-/// The steps of raising the rate, each ticked when done; the last one is the way back.
+/// Draws the steps of raising the rate, each with a tick when done. The last step is the way back.
 void LinkCard::draw_steps(PageFrame& f, float width) {
   Ui& ui = f.ui;
   using Step = RateRaise::Step;

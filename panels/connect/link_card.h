@@ -1,6 +1,6 @@
 #pragma once
-// The link doctor's card under a controller of the connection page: the time spent on a question, the
-// findings on the link with their remedies, and, if the controller does not answer, an editor for its
+// The link doctor's card below a controller of the connection page. It shows the time spent on a question,
+// the findings about the link with their remedies, and, if the controller does not answer, an editor for its
 // address. Ids: `connect/doctor/...`.
 #include <string>
 #include <vector>
@@ -14,15 +14,16 @@ namespace hw::panels {
 
 class LinkCard {
  public:
-  /// Unfolds the card of this controller, or folds it. `address`: with its address editor.
+  /// Unfolds or folds the card of this controller. `address`: shows its address editor.
   void toggle(gui::PageFrame& frame, const gui::Tab& tab, bool address = false);
-  /// Unfolds the card; leaves an unfolded one as it is.
+  /// Unfolds the card, unless it is unfolded already.
   void unfold(gui::PageFrame& frame, const gui::Tab& tab) {
     if (!is_of(tab)) toggle(frame, tab);
   }
   void fold() { *this = LinkCard(); }
   [[nodiscard]] bool is_of(const gui::Tab& tab) const;
-  /// A card of a still open controller is unfolded. Work it has begun continues while it is not visible.
+  /// Whether the card of an open controller is unfolded. Work that the card has begun continues while it is
+  /// folded.
   [[nodiscard]] bool is_open(gui::PageFrame& frame);
   /// `address_offered`: the row above has a button to change the address.
   void draw(gui::PageFrame& frame, gui::Tab& tab, float width, bool address_offered);
@@ -44,11 +45,11 @@ class LinkCard {
   std::vector<LinkFinding> findings_;
   double looked_at_s_ = -1, examined_at_s_ = 0;
   float height_ = 0;              ///< pixels taken in the last frame
-  bool changes_address_ = false;  ///< its field is shown
-  bool address_offered_ = false;  ///< in the row, or by that field: not by a finding too
+  bool changes_address_ = false;  ///< the field for the address is shown
+  bool address_offered_ = false;  ///< the row or that field offers it, so a finding does not
   std::string address_, refused_;
   RateRaise raise_;
-  bool wants_back_ = false;  ///< requested while drawing the controller that the way back closes
+  bool wants_back_ = false;  ///< going back was requested while drawing a controller that it closes
 };
 
 }  // namespace hw::panels

@@ -1,5 +1,6 @@
 #pragma once
-// A row of the list of places: mark, name, facts under it, a word for its state, and buttons at the right.
+// Draws a row of the list of places: mark, name, facts below it, a word for its state, and buttons at the
+// right.
 #include <string_view>
 
 #include "gui/surface/ui.h"
@@ -17,17 +18,17 @@ struct PlaceRow {
 
 constexpr float place_mark = 28;  ///< logical, from the row's left to its words
 
-/// Draws at ImGui's cursor, keeping `buttons` logical pixels free at the right. Returns the height in pixels;
-/// the facts take two lines if needed. The cursor stays.
+/// Draws at ImGui's cursor. Keeps `buttons` logical pixels free at the right. Returns the height in pixels,
+/// because the facts may take two lines. The cursor stays.
 float draw_place_row(gui::Ui& ui, const PlaceRow& row, float width, float buttons);
 
-/// Buttons of a row, from its right edge to the left, in the order of the calls.
+/// Draws the buttons of a row from its right edge to the left, in the order of the calls.
 class RowButtons {
  public:
   RowButtons(gui::Ui& ui, float width);
-  /// True: pressed. `width` logical.
+  /// Returns true when the button was pressed. `width` is logical.
   bool press(std::string_view id, std::string_view label, float width, gui::ButtonOptions options = {});
-  /// Positions the next item.
+  /// Moves the cursor to the place of the next item.
   void stand(float width);
 
  private:
@@ -36,7 +37,7 @@ class RowButtons {
   float right_;
 };
 
-/// An address for people: without "/dev/".
+/// A place for display, without "/dev/".
 std::string_view short_place(std::string_view where);
 
 }  // namespace hw::panels

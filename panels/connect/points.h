@@ -11,9 +11,9 @@ class Tab;
 
 namespace hw::panels {
 
-/// A numbered sentence.
+/// Draws a numbered sentence.
 void draw_point(gui::Ui& ui, int number, std::string_view words, float width);
-/// The tab opened with this address, of a bus the chosen tab; null: not open.
+/// The tab opened with this address; for a bus the chosen tab; null: not open.
 gui::Tab* find_open(const gui::Console& console, const Address& address);
 
 }  // namespace hw::panels

@@ -15,6 +15,8 @@ using namespace gui;
 
 namespace {
 
+constexpr std::string_view closed_meanwhile = "The controller was closed meanwhile.";
+
 int rate_in(std::string_view label) {
   int rate = 0;
   const auto read = std::from_chars(label.data(), label.data() + label.size(), rate);
@@ -73,11 +75,11 @@ Result<Tab*> open_elsewhere(Console& console, Tab& tab, const std::string& addre
   if (other && !own)
     return hw::fail(FaultKind::port, fmt::format("{} is open already, as {}.", there->where, other->name()),
                     "Nothing was changed.", "Use its tab, or close it first.");
-  const std::string before = address_of_all(tab).text(), name(tab.profile.name);
+  const std::string before = address_of_all(tab).text(), name(tab.settings.profile.name);
   console.close(tab);
   auto opened = console.open(address);
   if (!opened) (void)console.open(before);
-  if (opened && (*opened)->profile.name.empty() && !name.empty()) console.rename(**opened, name);
+  if (opened && (*opened)->settings.profile.name.empty() && !name.empty()) console.rename(**opened, name);
   console.show_page(console.list().pages[0].id);
   return opened;
 }
@@ -108,7 +110,7 @@ void RateRaise::enter(Console& console, Step step) {
   if (step == Step::ask) return reopen(console, new_address_);
   if (step == Step::back) return reopen(console, old_address_);
   Tab* there = tab(console);
-  if (!there) return fail("The controller was closed meanwhile.");
+  if (!there) return fail(std::string(closed_meanwhile));
   if (step == Step::set) send_to_all(*there, intent::SetParam(mnemonic_, new_value_, true));
   if (step == Step::set_back) send_to_all(*there, intent::SetParam(mnemonic_, old_value_, true));
   if (step == Step::store || step == Step::store_back) send_to_all(*there, intent::Store());
@@ -127,7 +129,7 @@ Tab* RateRaise::tab(Console& console) const {
 
 void RateRaise::reopen(Console& console, const std::string& address) {
   Tab* there = tab(console);
-  if (!there) return fail("The controller was closed meanwhile.");
+  if (!there) return fail(std::string(closed_meanwhile));
   const auto opened = open_elsewhere(console, *there, address);
   if (!opened) return fail(opened.error().sentence());
   address_ = address_of_all(**opened).text();
@@ -140,13 +142,13 @@ void RateRaise::fail(std::string words) {
 
 RateRaise::Outcome RateRaise::outcome(Console& console) {
   Tab* there = tab(console);
-  if (!there) return fail("The controller was closed meanwhile."), Outcome::failed;
+  if (!there) return fail(std::string(closed_meanwhile)), Outcome::failed;
   const std::vector<Tab*> all = all_on_wire(*there);
   Outcome all_of_them = Outcome::done;
   for (std::size_t i = 0; i < all.size() && i < asked_.size(); ++i) {
     const IntentOutcome* reported = all[i]->now().outcome_of(asked_[i]);
     if (reported && (reported->state == IntentState::refused || reported->state == IntentState::failed)) {
-      words_ = all[i]->words_of(*reported);
+      words_ = all[i]->messages.words_of(*reported);
       return Outcome::failed;
     }
     const bool is_done = reported ? reported->state == IntentState::done : all[i]->now().forgotten(asked_[i]);
@@ -168,7 +170,7 @@ void RateRaise::tick(Console& console) {
     if (step_ == Step::set_back && stored_) return enter(console, Step::store_back);
     return fail(words_);  // everything is as before
   }
-  // A setting that is not stored yet is set back; otherwise nothing more can be done.
+  // A setting that is not stored yet is set back. In later steps the console can undo nothing more.
   if (step_ == Step::set || step_ == Step::store) return enter(console, Step::set_back);
   fail(words_);
 }
@@ -185,7 +187,7 @@ void RateRaise::go_back(Console& console) {
 
 void RateRaise::tick_ask(Console& console) {
   Tab* there = tab(console);
-  if (!there) return fail("The controller was closed meanwhile.");
+  if (!there) return fail(std::string(closed_meanwhile));
   if (all_connected(*there)) {
     words_ = fmt::format("It answers at {} baud, and keeps that rate.", new_rate_);
     step_ = Step::done;
@@ -197,7 +199,7 @@ void RateRaise::tick_ask(Console& console) {
 
 void RateRaise::tick_back(Console& console) {
   Tab* there = tab(console);
-  if (!there) return fail("The controller was closed meanwhile.");
+  if (!there) return fail(std::string(closed_meanwhile));
   if (all_connected(*there)) return enter(console, Step::set_back);
   if (console.clock() - since_ > longest_way_back)
     fail(

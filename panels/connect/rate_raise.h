@@ -1,6 +1,6 @@
 #pragma once
-// Raises the rate of a controller, or of all controllers of a line: sets it, stores it, reopens at the new
-// rate, and undoes all of it if there is no reply. GUI thread; never blocks a frame.
+// Raises the rate of a controller, or of all controllers of a line: sets the rate, stores it, reopens the
+// line with it, and undoes all of this if no reply comes. GUI thread; never blocks a frame.
 #include <array>
 #include <string>
 #include <string_view>
@@ -15,16 +15,16 @@ class Console;
 
 namespace hw::panels {
 
-/// The parameter for a line's rate: its choices are rates. -1: the console cannot set the rate.
+/// The parameter for the rate of a line, whose choices are rates; -1: the console cannot set the rate.
 int find_rate_param(const Catalog& catalog);
 /// The parameter's value for this rate; -1: none.
 std::int64_t rate_choice(const ParamInfo& param, int rate);
 /// The address that was opened; on a bus, the address of all its controllers.
 const Address& address_of_all(const gui::Tab& tab);
-/// Rate of the wire from the address; 0: none.
+/// The rate of the wire in the address; 0: none.
 int rate_of(const gui::Tab& tab);
-/// Reopens the controller at another address; the connection page stays in front. On a fault the address
-/// makes no sense, and the controller stays open where it is.
+/// Reopens the controller at another address. The connection page stays in front. A fault means that the
+/// address is invalid; the controller then stays open at its old address.
 Result<gui::Tab*> open_elsewhere(gui::Console& console, gui::Tab& tab, const std::string& address);
 
 class RateRaise {
@@ -32,13 +32,13 @@ class RateRaise {
   void start(gui::Console& console, gui::Tab& tab, int rate);
   /// Call once a frame.
   void tick(gui::Console& console);
-  /// The user cancels the wait.
+  /// Goes back to the old rate. Call when the user cancels the wait.
   void go_back(gui::Console& console);
 
   enum class Step : std::uint8_t { idle, set, store, ask, back, set_back, store_back, done, failed };
   [[nodiscard]] Step step() const { return step_; }
   [[nodiscard]] bool under_way() const { return step_ > Step::idle && step_ < Step::done; }
-  /// There was no reply at the new rate for so long that the power must be switched by hand.
+  /// Whether no reply came at the new rate for so long that the user must switch the power.
   [[nodiscard]] bool waits_for_power(const gui::Console& console) const;
   /// The result, or why the rate is being restored.
   [[nodiscard]] const std::string& words() const { return words_; }
@@ -61,13 +61,13 @@ class RateRaise {
   void tick_back(gui::Console& console);
 
   Step step_ = Step::idle;
-  std::string address_, old_address_, new_address_;  ///< the first: open now
+  std::string address_, old_address_, new_address_;  ///< address_: open now
   std::string mnemonic_, words_;
   std::int64_t old_value_ = 0, new_value_ = 0;
   int old_rate_ = 0, new_rate_ = 0;
-  bool stored_ = false;  ///< the new rate
+  bool stored_ = false;  ///< the new rate was stored
   Instant since_{};
-  std::vector<IntentId> asked_;  ///< to each controller on the wire
+  std::vector<IntentId> asked_;  ///< command sent to each controller on the wire
 };
 
 }  // namespace hw::panels

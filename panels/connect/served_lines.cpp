@@ -35,7 +35,7 @@ void turn_serving(Ui& ui, EmulatorServer& server, const std::string& key, const 
 
 namespace {
 
-/// An address in monospace with Copy at its right.
+/// Draws an address in monospace, with Copy at its right.
 void draw_served_place(Ui& ui, std::string_view id, std::string_view kind, const std::string& place,
                        float width) {
   constexpr float copy_width = 56;

@@ -1,5 +1,5 @@
 #pragma once
-// The default catalogs of all controllers, as offered by the connection page. Making a catalog is slow, so
+// The default catalogs of all controllers, as the connection page offers them. Making a catalog is slow, so
 // each is made once, when the page is first shown.
 #include <span>
 #include <vector>

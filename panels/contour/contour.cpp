@@ -26,7 +26,7 @@ constexpr float text_height = 148;
 void Contour::make(const Frame& f) {
   if (run_) return;
   run_ = f.tab.desk().list_run.get();
-  language_ = f.tab.desk().language();
+  language_ = f.tab.desk().programs.language();
   for (const AxisInfo& a : f.catalog.axes) names_.axes.push_back(a.name);
   contour_.second = f.catalog.axes.size() > 1 ? 1 : 0;
   for (std::size_t i = 0; i < f.catalog.outputs.size(); ++i)
@@ -88,14 +88,14 @@ void Contour::draw(Frame& f) {
   draw_dialogs(f);
 }
 
-// ---- running it
+// ---- running the list
 
 std::string_view Contour::why_not_run(const Frame& f) const {
   if (!f.connected()) return "There is no link. The list stays here.";
   if (!f.tab.why_not_move().empty()) return f.tab.why_not_move();
   if (!worked_.problem.empty()) return worked_.problem;
   if (worked_.text.empty()) return "There is nothing to run yet.";
-  if (run_->busy()) return "It is on its way.";
+  if (run_->busy()) return "The run is under way.";
   if (f.now.any_axis_moving()) return "An axis is moving. Wait until it rests.";
   return {};
 }
@@ -106,9 +106,9 @@ void Contour::run(Frame& f) {
               [&f](IntentBody body) { return f.send_and_watch(std::move(body)); });
 }
 
-/// From then on its text is kept with the others.
+/// The program editor keeps the text from then on.
 void Contour::put_into_program(Frame& f) {
-  f.tab.desk().texts.set_text(0, worked_.text);
+  f.tab.desk().programs.texts.set_text(0, worked_.text);
   (stairs_shown_ ? stairs_.unkept : contour_.unkept) = false;
   f.show_panel("program");
 }
@@ -124,10 +124,10 @@ void Contour::follow(Frame& f) {
   for (Report& report : run_->take_report()) f.toast(report.severity, std::move(report.sentence));
   const auto refused = run_->take_refusal();
   if (!refused || doubt_.take_refusal(f, *run_->start(), *refused)) return;
-  refused_ = f.tab.words_of(*refused);
+  refused_ = f.tab.messages.words_of(*refused);
   past_ = refused->past;
   refused_places_ = run_->start()->places;
-  if (worked_.places != refused_places_) past_.reset();  // it has been edited since
+  if (worked_.places != refused_places_) past_.reset();  // the list was edited since
   if (!past_) f.toast(Severity::fault, refused_);
 }
 
@@ -157,7 +157,7 @@ void Contour::draw_toolbar(Frame& f) {
     put.disabled = "There is no text yet.";
   put.tip = "Puts the text into the program editor.";
   if (button(ui, "contour/to_program", "To the program", put).clicked) {
-    asking_ = !f.tab.desk().texts.text(0).empty();
+    asking_ = !f.tab.desk().programs.texts.text(0).empty();
     if (!asking_) put_into_program(f);
   }
   const float after = ImGui::GetItemRectMax().x + ui.px(16);
@@ -192,7 +192,8 @@ void Contour::draw_preview(Frame& f, float width, float height) {
   if (!stairs_shown_) {
     PathSubject subject;
     subject.path = worked_.path;
-    subject.none = worked_.problem.empty() ? "Nothing to draw yet." : std::string_view();  // it stands below
+    subject.none =
+        worked_.problem.empty() ? "Nothing to draw yet." : std::string_view();  // the problem is shown below
     subject.axes = {AxisId{static_cast<std::uint8_t>(contour_.first)},
                     AxisId{static_cast<std::uint8_t>(contour_.second)}};
     subject.words = worked_.facts;
@@ -221,7 +222,7 @@ void Contour::draw_text(Frame& f, float width) {
   if (!worked_.problem.empty()) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const bool begun =
-        stairs_shown_ ? !stairs_.rows.empty() : !contour_.pieces.empty();  // empty input is no fault
+        stairs_shown_ ? !stairs_.rows.empty() : !contour_.pieces.empty();  // an empty list is not a fault
     wrapped(ui, Face::body, begun ? Tone::fault : Tone::ink2, worked_.problem, width);
     show(ui, {"contour/problem", Kind::text, "Problem", worked_.problem},
          {at, ImVec2(at.x + ui.px(width), ImGui::GetCursorScreenPos().y)});
@@ -230,7 +231,7 @@ void Contour::draw_text(Frame& f, float width) {
   }
   gap(ui, 4);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  // The lines of the text, in as many columns as needed.
+  // Draws the lines of the text, in as many columns as needed.
   std::string_view rest = worked_.text;
   float x = at.x, y = at.y, deepest = at.y, widest = 0;
   const float bottom = at.y + 5 * ui.line(Face::code_field);

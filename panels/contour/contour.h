@@ -18,7 +18,7 @@
 #include "gui/widgets/plot.h"
 #include "panels/contour/contour_file.h"
 #include "panels/contour/contour_unit.h"
-#include "panels/doubt_ways.h"
+#include "panels/doubt_remedies.h"
 #include "panels/path/path_canvas.h"
 #include "panels/refusal_card.h"
 
@@ -48,11 +48,11 @@ class Contour final : public gui::Panel {
   /// A sequence of one staircase of speeds, in steps.
   Result<sequence::Sequence> staircase() const;
   void draw_staircase_line(const sequence::SpeedStairs& stairs, double from);
-  /// The fault: why the step cannot be drawn. Else sets the path or the plot.
+  /// Sets the path or the plot. The fault says why the step cannot be drawn.
   Result<> draw_step(const sequence::Step& step);
   Result<SequenceText> write(const sequence::Sequence& plan, const Catalog& catalog) const;
   void add_places(const sequence::Sequence& plan, const Catalog& catalog);
-  /// The list shown, in the unit in which it is typed.
+  /// The list that is shown, in the unit in which it is typed.
   Result<sequence::Sequence> shown_list() const;
   Result<sequence::Sequence> list_for_file() const;
   void opened(gui::Frame& frame, const sequence::Sequence& sequence);
@@ -75,7 +75,7 @@ class Contour final : public gui::Panel {
   void draw_dialogs(gui::Frame& frame);
 
   // ---- contour_edit.cpp
-  void edited();  ///< the list that is shown, by hand
+  void edited();  ///< call when the user has edited the list that is shown
   void draw_contour_list(gui::Frame& frame, float width);
   void draw_contour_head(gui::Frame& frame, float width);
   bool draw_piece(gui::Frame& frame, std::size_t row, float width);
@@ -88,22 +88,22 @@ class Contour final : public gui::Panel {
   int axis_choice(gui::Frame& frame, std::string_view id, std::string_view label, int chosen, ImVec2 at,
                   std::string_view words);
 
-  const Language* language_ = nullptr;  ///< of the tab, or null
-  gui::ListRun* run_ = nullptr;         ///< of the desk
+  const Language* language_ = nullptr;  ///< the tab's language; may be null
+  gui::ListRun* run_ = nullptr;         ///< the desk's
   bool changed_ = true;
   bool stairs_shown_ = false;
   struct Names {
     std::vector<std::string_view> axes, outputs;
-    std::vector<int> output_numbers;  ///< the maker's
+    std::vector<int> output_numbers;  ///< the maker's numbers of the outputs
   };
   Names names_;
   struct ContourList {
     int first = 0, second = 1;
-    ContourUnit unit;  ///< of the numbers in the fields
+    ContourUnit unit;  ///< unit of the numbers in the fields
     bool ramp = true;
     gui::NumberField speed, x, y, lead_in;
     std::vector<Piece> pieces;
-    bool unkept = false;  ///< edited since last put into the program
+    bool unkept = false;  ///< edited since it was last put into the program
   };
   ContourList contour_;
   struct StairsList {
@@ -114,20 +114,20 @@ class Contour final : public gui::Panel {
     bool unkept = false;
   };
   StairsList stairs_;
-  /// The results, recomputed when something has changed.
+  /// The results, worked out again after each change.
   struct WorkedOut {
     std::shared_ptr<const drawing::ToolPath> path;
-    std::vector<AxisTarget> places;  ///< targets of its text
+    std::vector<AxisTarget> places;  ///< targets of the text
     std::string text, problem, facts;
     std::vector<float> stair_x, stair_y;
     Steps from{};  ///< position of the staircase's axis at that time
   };
   WorkedOut worked_;
-  drawing::Point scale_;  ///< units of the view per step
+  drawing::Point scale_;  ///< units of the view per step of the axes
   PathCanvas canvas_;
   gui::PlotCursor cursor_;
   ContourFile file_;
-  DoubtWays doubt_;
+  DoubtRemedies doubt_;
   std::optional<PastTravel> past_;  ///< why the list was refused
   std::string refused_;
   std::vector<AxisTarget> refused_places_;

@@ -1,4 +1,4 @@
-// The lists of the contour panel: pieces of a path, steps of a staircase.
+// Draws and edits the lists of the contour panel: pieces of a path, steps of a staircase.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -92,7 +92,7 @@ void Contour::draw_contour_list(Frame& f, float width) {
 void Contour::draw_contour_head(Frame& f, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  // No remove button here: the cells take its room too, for units as long as "counts/s".
+  // This row has no remove button; the cells take its width too, for units as long as "counts/s".
   const float cell = std::floor((width - head_width - between) / 2);
   const auto place = [&](int row, float x) {
     return ImVec2(at.x + ui.px(x), at.y + ui.px(static_cast<float>(row) * list_row_height));
@@ -116,7 +116,7 @@ void Contour::draw_contour_head(Frame& f, float width) {
   ImGui::SetCursorScreenPos(place(3, 0));
 }
 
-/// True: remove this row.
+/// Returns true when the row must be removed.
 bool Contour::draw_piece(Frame& f, std::size_t row, float width) {
   Ui& ui = f.ui;
   Piece& p = contour_.pieces[row];
@@ -239,7 +239,7 @@ bool Contour::draw_stair(Frame& f, std::size_t row, float width) {
   number(f, Path("stairs/{}/until", n), "Up to", stairs_.rows[row].until, stairs_.unit.places(f.catalog),
          ImVec2(at.x + ui.px(head_width), at.y), cell);
   NumberRange speeds = stairs_.unit.speeds(f.catalog);
-  speeds.unit = {};  // stands over the column
+  speeds.unit = {};  // shown over the column
   number(f, Path("stairs/{}/speed", n), "Speed", stairs_.rows[row].speed, speeds,
          ImVec2(at.x + ui.px(head_width + cell + between), at.y), cell);
   const bool gone = remove_button(ui, Path("stairs/{}/remove", n), ImVec2(at.x + ui.px(width - 32), at.y));

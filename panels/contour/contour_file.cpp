@@ -25,7 +25,7 @@ tl::unexpected<Fault> not_this(const std::string& file, std::string_view what) {
               "Open it in Blocks.");
 }
 
-/// Lengths and places are scaled by the first factor, speeds by its magnitude.
+/// Scales lengths and positions by the first factor, speeds by its magnitude.
 void scale(sequence::Contour& c, double by, double up_by) {
   c.x *= by, c.y *= up_by, c.lead_in *= std::abs(by);
   if (c.own) c.own->high *= std::abs(by), c.own->low *= std::abs(by);
@@ -43,7 +43,7 @@ void scale(sequence::SpeedStairs& s, double by) {
   for (auto& stair : s.stairs) stair.until *= by, stair.speed *= std::abs(by);
 }
 
-/// The step can be a row of the list.
+/// Whether the step can be a row of the list.
 bool has_a_row(const sequence::Step& step, const sequence::Plane& plane) {
   if (step.skipped) return false;
   if (const auto* output = std::get_if<sequence::Output>(&step.body)) return output->output >= 0;
@@ -54,7 +54,8 @@ bool has_a_row(const sequence::Step& step, const sequence::Plane& plane) {
   return !move->relative;
 }
 
-/// Into the plane of the list, each line with both coordinates: a coordinate left out keeps its value.
+/// Turns the contour into the plane of the list. Each line gets both coordinates; a coordinate left out keeps
+/// its value.
 void lay_out(sequence::Contour& c) {
   const auto right = static_cast<std::size_t>(c.plane.right), up = static_cast<std::size_t>(c.plane.up);
   double x = c.x, y = c.y;
@@ -81,7 +82,7 @@ Result<sequence::Sequence> with_rows(const sequence::Sequence& s, const sequence
   const auto right = static_cast<std::size_t>(c.plane.right), up = static_cast<std::size_t>(c.plane.up);
   if (right >= s.axes.size() || up >= s.axes.size() || right == up)
     return not_this(file, "does not name two axes for its contour");
-  // A path has one speed, so the steps of both axes must be equally long.
+  // A path has a single speed, so the steps of both axes must be equally long.
   if (std::abs(s.axes[right].per_unit) != std::abs(s.axes[up].per_unit))
     return not_this(file, "has two axes with steps of different length");
   scale(c, s.axes[right].per_unit, s.axes[up].per_unit);
@@ -148,7 +149,7 @@ std::optional<sequence::Sequence> ContourFile::draw_open(Frame& f) {
   const auto opened = read_file(*path, largest_file)
                           .and_then([&](std::string text) { return sequence::read_sequence(text, name); })
                           .and_then([&](const sequence::Sequence& s) { return only_step_of(s, name); });
-  f.withdraw(&open_);  // why the last one was not opened
+  f.withdraw(&open_);  // the message why the last file was not opened
   if (opened) return *opened;
   f.toast(Severity::fault, opened.error().sentence(), &open_);
   return {};
@@ -158,14 +159,14 @@ void ContourFile::save(Frame& f, const std::filesystem::path& path, const sequen
   Desk& desk = f.tab.desk();
   const void* attempt = &save_;
   f.withdraw(attempt);
-  desk.worker().run([path, text = sequence::write_sequence(s)] { return write_file(path, text); },
-                    [&console = f.console, attempt, saved = saved_, path](Result<> written) {
-                      if (!written)
-                        return console.toast(Severity::fault, written.error().sentence(), attempt);
-                      *saved = true;
-                      console.toast(Severity::ok, fmt::format("Saved as {}.", path.string()));
-                    },
-                    desk.alive());
+  desk.work.worker().run([path, text = sequence::write_sequence(s)] { return write_file(path, text); },
+                         [&console = f.console, attempt, saved = saved_, path](Result<> written) {
+                           if (!written)
+                             return console.toast(Severity::fault, written.error().sentence(), attempt);
+                           *saved = true;
+                           console.toast(Severity::ok, fmt::format("Saved as {}.", path.string()));
+                         },
+                         desk.work.alive());
 }
 
 bool ContourFile::take_saved() { return std::exchange(*saved_, false); }

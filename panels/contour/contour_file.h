@@ -1,5 +1,6 @@
 #pragma once
-// The list of the contour panel as a file: a sequence of one contour or staircase, which Blocks opens too.
+// Saves and opens the list of the contour panel: a sequence of one contour or staircase, which Blocks can
+// open too.
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,19 +15,19 @@ namespace hw::panels {
 
 /// Converts a sequence of one contour or staircase from steps to a unit of `per_step`.
 sequence::Sequence in_unit(sequence::Sequence in_steps, double per_step, const std::string& unit);
-/// The reverse: one step, in steps of its axes. The fault: the file holds anything else.
+/// The reverse: a sequence of one step, in steps of its axes. A fault if the file holds anything else.
 Result<sequence::Sequence> only_step_of(const sequence::Sequence& sequence, const std::string& file);
 
 class ContourFile {
  public:
-  /// Draws Open and Save at the right end of the toolbar, or below if there is no room.
+  /// Draws Open and Save at the right end of the toolbar, or below it if they do not fit.
   void draw_buttons(gui::Frame& frame, std::string_view why_not_save, std::string_view name);
-  /// The opened sequence, in steps, returned once. A toast shows a fault.
+  /// Returns, once, the opened sequence in steps. A toast shows a fault.
   std::optional<sequence::Sequence> draw_open(gui::Frame& frame);
-  /// The file to save to, returned once.
+  /// Returns, once, the file to save to.
   std::optional<std::filesystem::path> draw_save(gui::Frame& frame) { return save_.draw(frame.ui); }
   void save(gui::Frame& frame, const std::filesystem::path& path, const sequence::Sequence& sequence);
-  /// True once: the list is in the file.
+  /// Returns true, once, when the list is in the file.
   bool take_saved();
 
  private:

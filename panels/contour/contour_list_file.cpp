@@ -16,7 +16,7 @@ Result<sequence::Sequence> Contour::shown_list() const {
   });
 }
 
-/// In a file a unit counts like the steps.
+/// In a file a unit has the direction of the steps.
 Result<sequence::Sequence> Contour::list_for_file() const {
   const ContourUnit& unit = stairs_shown_ ? stairs_.unit : contour_.unit;
   return (stairs_shown_ ? staircase() : contour()).map([&](sequence::Sequence&& s) {

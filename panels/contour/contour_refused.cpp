@@ -1,4 +1,4 @@
-// A list that leads past a limit: the words, and an offer to shift it so far that it fits.
+// Describes a list that leads past a limit, and offers to shift it so that it fits.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -11,7 +11,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-/// Nothing: it is wider than what is allowed.
+/// The shift that brings the list inside the limits. nullopt: it is longer than the allowed range.
 std::optional<Steps> Contour::shift_inside(const Frame& f) const {
   const Travel& travel = f.now.axes[past_->axis.index].travel;
   std::optional<Steps> least, greatest;
@@ -45,10 +45,11 @@ void Contour::shift(const Frame& f, Steps by) {
 }
 
 void Contour::draw_refused(Frame& f, const Rect& beside) {
-  if (worked_.places != refused_places_) past_.reset();  // another list by now
+  if (worked_.places != refused_places_) past_.reset();  // the list was changed
   if (!past_) return;
   const auto by = shift_inside(f);
-  const ContourUnit& unit = stairs_shown_ ? stairs_.unit : contour_.unit;  // in which the list is typed
+  const ContourUnit& unit =
+      stairs_shown_ ? stairs_.unit : contour_.unit;  // the unit in which the list is typed
   const DisplayUnit typed{unit.name, unit.per_step, unit.decimals, true};
   const Path label("Shift it by {}", format_with_unit(by.value_or(Steps()), typed).view());
   const std::array<Action, 1> actions = {Action{.id = "contour/nearest", .label = label}};

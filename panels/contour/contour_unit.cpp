@@ -38,7 +38,7 @@ NumberRange ContourUnit::speeds(const Catalog& c) const {
 }
 
 ContourUnit contour_unit(const Frame& f, int axis) {
-  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)});
+  const DisplayUnit& unit = f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(axis)});
   if (unit.real) return {unit.name, unit.per_step, unit.decimals, unit.name + "/s"};
   return {f.catalog.step_word, 1, 0, f.catalog.step_word + "/s"};
 }

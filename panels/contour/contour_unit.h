@@ -1,5 +1,5 @@
 #pragma once
-// The unit in which a list of the contour panel is typed: the display unit of its axes, if they share one.
+// The unit in which a list of the contour panel is typed: the display unit of its axes, if they share it.
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -19,9 +19,9 @@ struct ContourUnit {
 
   [[nodiscard]] double shown(double steps) const { return steps * per_step; }
   [[nodiscard]] double shown_length(double steps) const { return steps * std::abs(per_step); }
-  /// As a user would type it: rounded to the unit's decimals.
+  /// A number as a user would type it, rounded to the unit's decimals.
   [[nodiscard]] double typed(double steps) const;
-  /// The content of a field in whole steps; nothing: not a number.
+  /// The content of a field in whole steps; nullopt: it is not a number.
   [[nodiscard]] std::optional<double> steps(const gui::NumberField& field) const;
   [[nodiscard]] std::optional<double> steps_long(const gui::NumberField& field) const;
   void put(gui::NumberField& field, double steps) const { field.set(shown(steps), decimals); }
@@ -32,7 +32,8 @@ struct ContourUnit {
   [[nodiscard]] gui::NumberRange speeds(const Catalog& catalog) const;
 };
 
-/// Of one axis, or of two. Two axes shown in different units get steps: a path has one speed.
+/// The unit for one axis or two. Two axes shown in different units get steps, because a path has a single
+/// speed.
 ContourUnit contour_unit(const gui::Frame& frame, int axis);
 ContourUnit contour_unit(const gui::Frame& frame, int right, int up);
 

@@ -1,4 +1,4 @@
-// The fields of the contour panel as a sequence, as a text of the controller, and as a drawing.
+// Turns the fields of the contour panel into a sequence, a text of the controller, and a drawing.
 #include <algorithm>
 #include <cmath>
 
@@ -86,12 +86,12 @@ Result<sequence::Sequence> Contour::staircase() const {
   return s;
 }
 
-/// Runs only on a change: a panel at rest computes and allocates nothing.
+/// Works only after a change, so that a panel at rest computes and allocates nothing.
 void Contour::work_out(Frame& f) {
   const Steps stands = f.now.axes[static_cast<std::size_t>(stairs_.axis)].commanded();
   if (stairs_shown_ && stands != worked_.from && !f.now.any_axis_moving()) changed_ = true;
   const auto shown = [&](int axis) {
-    return from_steps(Steps(1), f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}));
+    return from_steps(Steps(1), f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(axis)}));
   };
   const drawing::Point scale{shown(contour_.first), shown(contour_.second)};
   if (std::exchange(scale_, scale) != scale) changed_ = true;
@@ -114,7 +114,7 @@ void Contour::work_out(Frame& f) {
     if (p.error) return worked_.problem.assign(fmt::format("Line {}: {}", p.line + 1, p.sentence)), void();
 }
 
-/// Refusals use the unit that was typed.
+/// Words of a refusal use the unit that the user typed.
 Result<SequenceText> Contour::write(const sequence::Sequence& plan, const Catalog& catalog) const {
   auto written = language_->write(plan, catalog);
   const double per_step = (stairs_shown_ ? stairs_.unit : contour_.unit).per_step;
@@ -145,7 +145,7 @@ Result<> Contour::draw_step(const sequence::Step& step) {
   return {};
 }
 
-/// As far as the plan reaches in each of its axes.
+/// Adds the range that the plan reaches in each of its axes.
 void Contour::add_places(const sequence::Sequence& plan, const Catalog& catalog) {
   const sequence::Reach reach = reaches_between(plan, {0, 1}).front();
   for (std::size_t a = 0; a < plan.axes.size(); ++a)
@@ -155,7 +155,7 @@ void Contour::add_places(const sequence::Sequence& plan, const Catalog& catalog)
                                   Steps(std::llround(*place))});
 }
 
-/// Speeds over positions, as a staircase.
+/// Draws speeds over positions, as a staircase.
 void Contour::draw_staircase_line(const sequence::SpeedStairs& stairs, double from) {
   const auto put = [&](double x, double y) {
     worked_.stair_x.push_back(static_cast<float>(stairs_.unit.shown(x)));

@@ -25,9 +25,9 @@ int its_readout(const Catalog& c, const ActionForm& action) {
   return c.find_readout(its_info(c, action).sets);
 }
 
-/// The name of a readout, at the cursor.
+/// Draws the name of a readout at the cursor.
 void draw_choice_name(Frame& f, const ReadoutInfo& readout, ImVec2 at, float width) {
-  f.tab.look_at_group(readout.group);
+  f.tab.watched.look_at_group(readout.group);
   draw_text_line(f.ui, at.x, at.x + f.ui.px(width), std::floor(at.y + f.ui.px(choice_line_height / 2)),
                  Face::body, f.ui[Tone::ink2], readout.label);
 }
@@ -57,7 +57,7 @@ void draw_action_choice(Frame& f, std::vector<ActionForm>& actions, std::size_t 
   draw_choice_name(f, shown, at, width);
   show(ui, {Path("readout/{}", shown.id), Kind::text, shown.label, now.view(), {}, false, shown.help},
        {at, ImVec2(at.x + ui.px(choice_name_width - between), at.y + ui.px(choice_line_height))});
-  // In a narrow column a lamp stands at the right edge, as the lamps that fill the column do.
+  // In a narrow column the lamp is at the right edge, aligned with the lamps that fill the column.
   const bool at_the_right = lamp && width < narrow_column;
   float x = at.x + ui.px(at_the_right ? width - choice_lamp_width : choice_name_width);
   for (std::size_t i = first; i < end; ++i) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr float label_height = 18, control_height = 32;
 
-/// How the fields of an action share the lines.
+/// The columns in which the fields of an action share the lines.
 struct FieldGrid {
   int per_line = 1;
   float width = 0;
@@ -33,13 +33,14 @@ FieldGrid cells_of(std::size_t cells, float width, float least) {
   return c;
 }
 
-/// A short button takes the place of one field, a long one a line of its own.
+/// A short button takes the place of a field; a long button has a line of its own.
 bool fits_a_cell(std::string_view label) { return label.size() <= 14; }
 
 bool is_axis(const ActionField& info) { return info.id == "axis"; }
 bool is_switch(const ActionField& info) { return info.id == "on"; }
 
-/// Values common to all rows, and values given by the row itself, have no field in the row.
+/// Whether a value has a field in the row. Values common to all rows, and values given by the row itself,
+/// have none.
 bool has_row_field(const ActionField& info) {
   return !is_axis(info) && !is_switch(info) && !info.for_all_rows;
 }
@@ -86,8 +87,8 @@ void ActionForm::fill_in() {
     for (const ParamChoice& choice : info.choices) {
       if (choice.value == info.fallback) fields_[i].chosen = static_cast<int>(fields_[i].names.size());
       fields_[i].names.push_back(choice.label);
-      // Wide enough for the longest list value; estimated, as it is needed before fonts exist to measure
-      // with.
+      // Wide enough for the longest list value. The width is estimated, because there are no fonts yet to
+      // measure it.
       least_ = std::max(least_, std::min(190.0f, 46 + 7.2f * static_cast<float>(choice.label.size())));
     }
     fields_[i].unit.decimals = fields_[i].unit.own_decimals = info.decimals;
@@ -166,7 +167,7 @@ void ActionForm::draw_bare_field(Frame& f, std::size_t i, float width, float hei
   follow_unit(f, i);
   NumberOptions o;
   o.range = range_of(info, field.unit);
-  if (row_axis_ >= 0) o.range.unit = {};  // stands over the column
+  if (row_axis_ >= 0) o.range.unit = {};  // shown over the column
   o.width = width;
   o.height = height;
   o.tip = info.label;
@@ -184,7 +185,7 @@ int ActionForm::axis_of(const ActionField& info) const {
   return axis;
 }
 
-// The typed quantity stays the same when the axis or its unit changes.
+// Keeps the typed quantity when the axis or its unit changes.
 void ActionForm::follow_unit(const Frame& f, std::size_t i) {
   Field& field = fields_[i];
   ShownUnit unit = shown_unit(f, info_.fields[i], axis_of(info_.fields[i]));
@@ -333,7 +334,7 @@ void ActionForm::draw_refusal(Frame& f, float width) {
       outcome && outcome->state != IntentState::pending) {
     asked_ = 0;
     if (outcome->state != IntentState::done && !doubt_.take_refusal(f, *outcome)) {
-      refused_ = f.tab.words_of(*outcome);
+      refused_ = f.tab.messages.words_of(*outcome);
       past_ = outcome->past;
     }
   }
@@ -353,17 +354,17 @@ void ActionForm::draw_refusal(Frame& f, float width) {
 
 std::optional<std::size_t> ActionForm::field_past_limit() const {
   for (std::size_t i = 0; past_ && !info_.is_arc && i < fields_.size();
-       ++i)  // the centre of an arc is no target
+       ++i)  // the centre of an arc is not a target
     if (info_.fields[i].is_place && std::max(axis_of(info_.fields[i]), 0) == past_->axis.index) return i;
   return {};
 }
 
-/// Offers the nearest place that is allowed, where a field names the place.
+/// Offers the nearest allowed position if a field names the position.
 void ActionForm::draw_refusal_card(Frame& f, const Rect& form) {
   const Path id("{}/refused", path_), nearest("{}/nearest", path_);
   const auto field = field_past_limit();
   const Steps place = field ? nearest_allowed(f.now, *past_) : Steps();
-  const Path label("Go to {}", field ? format_with_unit(place, f.tab.unit(past_->axis)).view() : "");
+  const Path label("Go to {}", field ? format_with_unit(place, f.tab.settings.unit(past_->axis)).view() : "");
   const std::array<Action, 1> actions = {
       Action{.id = nearest, .label = label, .disabled = why_not(f), .moving = true}};
   card_.begin(

@@ -22,7 +22,7 @@ void draw_analog_bar(Frame& f, std::string_view id, int n, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float middle = std::floor(at.y + ui.px(analog_bar_height / 2)), right = at.x + ui.px(width);
   if (ImGui::IsRectVisible(at, ImVec2(right, at.y + ui.px(analog_bar_height))))
-    f.tab.look_at_group(f.catalog.analog_readout_group);
+    f.tab.watched.look_at_group(f.catalog.analog_readout_group);
   draw_text_line(ui, at.x, right, middle, Face::body, ui[Tone::ink], info.name);
   const Path number("{}", value);
   const std::string_view shown = known ? number.view() : std::string_view("?");

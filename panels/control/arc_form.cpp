@@ -21,7 +21,7 @@ constexpr std::size_t centre_x = 0, centre_y = 1, sweep_field = 2;
 constexpr std::int64_t full_turn = 360'000;
 constexpr float label_column = 56, picture_width = 140, picture_height = 144, full_width = 56;
 
-/// Through the centre, and as far apart as the arc's usual radius.
+/// Draws grid lines through the centre, one usual radius apart.
 void draw_arc_grid(Ui& ui, const Rect& in, ImVec2 centre) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float apart = ui.px(48);
@@ -46,12 +46,13 @@ bool ArcPath::read(const Frame& f, const ActionForm& form, Arc& arc) {
   return f.now.axes[0].position_known && f.now.axes[1].position_known;
 }
 
-/// Runs only on a change, because it allocates.
+/// Works only after a change, because it allocates.
 void ArcPath::work_out(const Frame& f, const ActionForm& form, const Arc& arc) {
   const double radius = std::hypot(arc.from_x - arc.centre_x, arc.from_y - arc.centre_y);
   const double length = radius * std::abs(radians(arc.sweep));
-  const DisplayUnit& unit = f.tab.unit(AxisId{0});
-  const bool same = unit == f.tab.unit(AxisId{1}) && !f.now.axes[0].in_counts && !f.now.axes[1].in_counts;
+  const DisplayUnit& unit = f.tab.settings.unit(AxisId{0});
+  const bool same =
+      unit == f.tab.settings.unit(AxisId{1}) && !f.now.axes[0].in_counts && !f.now.axes[1].in_counts;
   const DisplayUnit own{f.now.axes[0].in_counts ? f.catalog.loop_word : f.catalog.step_word};
   const DisplayUnit& in = same ? unit : own;
   words_ = fmt::format("Radius {}, {} of arc", format_with_unit(Steps(std::llround(radius)), in).view(),
@@ -142,7 +143,7 @@ void ArcPath::draw_path(Frame& f, const Rect& in) const {
     return ImVec2(c.x + r * static_cast<float>(std::cos(angle)),
                   c.y - r * static_cast<float>(std::sin(angle)));
   };
-  // Limits of the axes, if they are within the picture.
+  // Draws the limits of the axes inside the picture.
   for (int axis = 0; axis < 2; ++axis) {
     const AxisState& a = f.now.axes[static_cast<std::size_t>(axis)];
     for (const Sign side : {Sign::minus, Sign::plus}) {
@@ -171,7 +172,7 @@ void ArcPath::draw_path(Frame& f, const Rect& in) const {
   list->AddCircle(start, ui.px(5), ui[Tone::motion], 0, ui.px(2));
   const float half = ui.px(3);
   list->AddRectFilled(ImVec2(end.x - half, end.y - half), ImVec2(end.x + half, end.y + half), ui[Tone::ink]);
-  // The direction of travel, at mid-arc.
+  // Draws the direction of travel in the middle of the arc.
   const double heading = begin + turn * 0.5 + (turn < 0 ? -1 : 1) * std::numbers::pi / 2;
   const auto tip = [&](double angle, float far) {
     return ImVec2(mid.x + far * static_cast<float>(std::cos(angle)),

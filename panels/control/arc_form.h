@@ -1,6 +1,6 @@
 #pragma once
-// The arc of an action (ActionInfo::is_arc): centre, direction and "Full", the resulting values, and the path
-// drawn. Ids: those of its ActionForm, `action/ID/full`, `action/ID/path`.
+// Draws the form of an action that is an arc (ActionInfo::is_arc): centre, direction and "Full", the
+// resulting values, and the path. Ids: those of its ActionForm, `action/ID/full`, `action/ID/path`.
 #include <string>
 
 #include "panels/control/action_form.h"

@@ -1,4 +1,4 @@
-// The cells of the tables with a row for each axis.
+// Draws the cells of the tables with a row for each axis.
 #include <algorithm>
 #include <cmath>
 
@@ -88,7 +88,7 @@ void AxisTables::draw_motion(Frame& f, Cell& cell, std::size_t i, const Rect& in
     ImGui::SetCursorScreenPos(ImVec2(clear_left, in.min.y + ui.px(2)));
     return cell.form->draw_in_row(f, "Clear", true, false, 60);
   }
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   const NumberText speed =
       format_number(f.now.axes[i].speed.value * (unit.real ? std::abs(unit.per_step) : 1), unit.decimals);
   const bool moves = f.now.axis_moves(static_cast<int>(i)) && !only_goes_along(f.now.axes[i]);
@@ -111,7 +111,7 @@ void AxisTables::draw_action(Frame& f, const Column& column, Cell& cell, const R
   const ActionInfo& action = f.catalog.actions[static_cast<std::size_t>(cell.index)];
   const bool lamp = column.info->shows == AxisColumn::Shows::toggle;
   if (lamp && cell.state >= 0 && !cell.state_is_param && ImGui::IsRectVisible(in.min, in.max))
-    f.tab.look_at_group(f.catalog.readouts[static_cast<std::size_t>(cell.state)].group);
+    f.tab.watched.look_at_group(f.catalog.readouts[static_cast<std::size_t>(cell.state)].group);
   const std::optional<bool> on = is_on(f, cell);
   std::string_view verb =
       column.info->verb_on.empty() ? std::string_view(action.label) : column.info->verb_on;
@@ -166,7 +166,7 @@ void AxisTables::draw_param(Frame& f, Column& column, Cell& cell, const Rect& in
     return;
   }
   const ShownUnit unit = shown_unit(f, p);
-  if (unit != cell.unit) cell.number.reset(), cell.unit = unit;  // typed in another unit
+  if (unit != cell.unit) cell.number.reset(), cell.unit = unit;  // the number was typed in another unit
   NumberOptions o;
   const double a = unit.shown(p.minimum), b = unit.shown(p.maximum);
   o.range = {std::min(a, b), std::max(a, b), unit.decimals, {}};

@@ -18,10 +18,10 @@ using namespace gui;
 namespace {
 
 constexpr float band_title = 32, band_heads = 20, band_row = 32, name_column = 30;
-constexpr float shared_name_width = 120;  ///< so that its field stands under those of the other settings
+constexpr float shared_name_width = 120;  ///< aligns its field with those of the other settings
 constexpr float does_width = 108, least_between = 16, most_between = 96;
 
-/// The id of a column for one axis: '*' becomes its name, or nothing if there is only one axis.
+/// The id of a column for an axis: '*' becomes the name of the axis, or is removed if there is only one axis.
 std::string id_of_axis(const Catalog& c, std::string id, std::size_t axis) {
   if (const auto star = id.find('*'); star != id.npos)
     id.replace(star, 1, c.axes.size() > 1 ? c.axes[axis].name : std::string());
@@ -33,7 +33,7 @@ bool has_value(const ActionField& field, std::int64_t value) {
                      [&](const ParamChoice& c) { return c.value == value; });
 }
 
-/// The action can be sent to this axis.
+/// Whether the action can be sent to this axis.
 bool takes_axis(const ActionInfo& action, std::size_t axis) {
   for (const ActionField& field : action.fields)
     if (field.id == "axis") return has_value(field, static_cast<std::int64_t>(axis));
@@ -45,7 +45,7 @@ bool is_of_axis(const ActionInfo& action) {
                      [](const ActionField& field) { return field.id == "axis"; });
 }
 
-/// An action with a state but no word for switching off clears what that state reports.
+/// An action with a state, but no word for switching off, only clears that state.
 bool only_while_on(const AxisColumn& column) {
   return column.shows == AxisColumn::Shows::action && !column.state.empty() && column.verb_off.empty();
 }
@@ -123,7 +123,7 @@ bool AxisTables::has_title(std::string_view title) const {
                      [&](const Table& table) { return table.info->title == title; });
 }
 
-// An action of the whole controller is in a row only at times, and has its place elsewhere.
+// An action of the whole controller has its place elsewhere, because its row may not be drawn.
 bool AxisTables::has_action(const Catalog& catalog, int action) const {
   if (catalog.axes.size() > 1 && !is_of_axis(catalog.actions[static_cast<std::size_t>(action)])) return false;
   for (const Table& table : tables_)
@@ -147,7 +147,7 @@ bool AxisTables::lacks_settings(const Frame& f) const {
   return false;
 }
 
-/// Measures each column by its longest possible content, so that new values move nothing.
+/// Measures each column by its longest possible content, so that new values do not move other columns.
 void AxisTables::measure(const Frame& f, Table& table) {
   using Shows = AxisColumn::Shows;
   const Ui& ui = f.ui;
@@ -186,7 +186,7 @@ void AxisTables::measure(const Frame& f, Table& table) {
         break;
       }
     }
-    // A head over numbers is right-aligned with them, and may begin over the words of the previous column.
+    // The head of a column of numbers is right-aligned, and may begin above the words of the previous column.
     const bool numbers = has_numbers(c, column);
     const bool may_reach_over = numbers && !after_numbers;
     column.width =
@@ -199,7 +199,7 @@ void AxisTables::measure(const Frame& f, Table& table) {
 void AxisTables::draw(Frame& f, float width) {
   UnitsOfRows units;
   for (std::size_t axis = 0; axis < f.catalog.axes.size(); ++axis)
-    units.add(f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}).name);
+    units.add(f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(axis)}).name);
   if (scale_ != f.ui.scale || units_ != units.view()) {
     for (Table& table : tables_) measure(f, table);
     scale_ = f.ui.scale;
@@ -233,7 +233,7 @@ void AxisTables::draw_shared(Frame& f, float width) {
     }
 }
 
-/// Two tables share the width evenly where both fit so; more of them spread over it.
+/// Two tables share the width evenly if both fit into a half; more tables are spread over it.
 float AxisTables::apart_in_band(std::size_t first, std::size_t end, float width) {
   float used = name_column;
   for (std::size_t i = first; i < end; ++i) used += tables_[i].width;
@@ -261,7 +261,7 @@ void AxisTables::draw_band(Frame& f, std::size_t first, std::size_t end, float w
   float x = name_column;
   for (std::size_t i = first; i < end; ++i) {
     Table& table = tables_[i];
-    // The first title stands at the left edge, over the names of the axes.
+    // The first title is at the left edge, above the names of the axes.
     const float title_x = at.x + (i == first ? 0 : ui.px(x));
     const float right = at.x + ui.px(i + 1 == end ? width : x + table.width);
     const float middle = std::floor(at.y + ui.px(band_title / 2));
@@ -292,7 +292,8 @@ Path AxisTables::head_of(const Frame& f, const Column& column) {
       cell.form->add_units(f, units);
     else if (column.info->shows == Shows::param)
       units.add(shown_unit(f, f.catalog.params[i]).name);
-    else if (column.info->shows == Shows::readout && several)  // a single axis has the unit beside its value
+    else if (column.info->shows == Shows::readout &&
+             several)  // for a single axis the unit is beside the value
       units.add(shown_unit(f, f.catalog.readouts[i]).name);
   }
   const std::string_view title = column.info->title;
@@ -321,7 +322,7 @@ void AxisTables::draw_heads(Frame& f, const Table& table, ImVec2 at) {
     if (column.info->shows == AxisColumn::Shows::motion) {
       UnitsOfRows units;
       for (std::size_t axis = 0; axis < f.catalog.axes.size(); ++axis)
-        units.add(Path("{}/s", f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}).name));
+        units.add(Path("{}/s", f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(axis)}).name));
       draw_text_right(ui, ImVec2(right, middle - ui.line(Face::small) / 2), Face::small, ui[Tone::ink2],
                       units.view());
     }

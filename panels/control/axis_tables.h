@@ -1,6 +1,6 @@
 #pragma once
-// Catalog::axis_tables: a row per axis with everything about it. As many tables stand beside each other as
-// fit. Ids: `readout/ID`, `control/PARAM`, `action/ID/AXIS/go`, `control/X/does`.
+// Draws Catalog::axis_tables: a row for each axis. As many tables as fit are beside each other. Ids:
+// `readout/ID`, `control/PARAM`, `action/ID/AXIS/go`, `control/X/does`.
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,34 +19,34 @@ class AxisTables {
   explicit AxisTables(const Catalog& catalog);
   /// Draws at ImGui's cursor and leaves it below.
   void draw(gui::Frame& frame, float width);
-  /// The fields that apply to all rows of a table, under its title, which is drawn again. Width logical.
+  /// Draws the fields that apply to all rows of a table, below its title, which is repeated. Logical width.
   void draw_shared(gui::Frame& frame, float width);
-  /// Where the second of two tables that share a band begins; 0: no band has two. Logical, from the left.
+  /// Left of the second table where two tables share a band, logical; 0: no band has two tables.
   [[nodiscard]] float second_column() const { return second_column_; }
-  /// The readouts in the tables, also as the state of a switch: they stand nowhere else.
+  /// The readouts that the tables show, also as the state of a switch. Other places leave them out.
   [[nodiscard]] const ReadoutSet& readouts() const { return readouts_; }
   [[nodiscard]] bool has_title(std::string_view title) const;
   [[nodiscard]] bool has_action(const Catalog& catalog, int action) const;
-  /// A setting that they show has not been read yet.
+  /// Whether a setting in the tables was not read yet.
   [[nodiscard]] bool lacks_settings(const gui::Frame& frame) const;
 
  private:
   static constexpr float speed_width = 84;
-  /// One axis in one column.
+  /// The cell of an axis in a column.
   struct Cell {
-    int index = -1;  ///< of its readout, param or action; -1: empty cell
-    int state = -1;  ///< of the readout or param that shows whether it is on
+    int index = -1;  ///< index of the readout, param or action; -1: empty cell
+    int state = -1;  ///< index of the readout or param that shows whether it is on
     bool state_is_param = false;
-    std::int64_t state_bits = -1;      ///< of that param
-    std::unique_ptr<ActionForm> form;  ///< of an action
-    gui::NumberField number;           ///< of a param
+    std::int64_t state_bits = -1;      ///< bits of that param
+    std::unique_ptr<ActionForm> form;  ///< form of an action
+    gui::NumberField number;           ///< number of a param
     ShownUnit unit;                    ///< of the content of `number`
   };
   struct Column {
     const AxisColumn* info = nullptr;
     std::unique_ptr<ActionForm> shared;
     std::vector<Cell> cells;
-    std::vector<std::string_view> choices;  ///< of a param
+    std::vector<std::string_view> choices;  ///< choices of a param
     float width = 0;
   };
   struct Table {
@@ -73,8 +73,8 @@ class AxisTables {
   std::vector<Table> tables_;
   ReadoutSet readouts_;
   float second_column_ = 0;
-  float scale_ = 0;    ///< scale at which they were measured ...
-  std::string units_;  ///< ... and units shown then
+  float scale_ = 0;    ///< scale at which the columns were measured
+  std::string units_;  ///< units shown when the columns were measured
 };
 
 }  // namespace hw::panels

@@ -18,13 +18,13 @@ namespace {
 
 constexpr float below_section = 12;
 
-/// Bars of the analog inputs are shown if an axis can be made to follow them.
+/// Whether an axis can be made to follow an analog input; bars of the analog inputs are then shown.
 bool any_follows_analog(const Catalog& c) {
   return std::any_of(c.actions.begin(), c.actions.end(),
                      [](const ActionInfo& a) { return a.follows_analog; });
 }
 
-/// Parameters of the manual that the controller did not answer: an older firmware lacks them.
+/// Names parameters of the manual that the controller does not answer, because its firmware is older.
 Path unanswered(const Frame& f) {
   char names[72];
   std::size_t size = 0;
@@ -75,7 +75,7 @@ void Control::make_sections(const Catalog& c) {
   for (std::size_t i = 0; i < c.actions.size(); ++i)
     if (!tables_->has_action(c, static_cast<int>(i)))
       section(c.actions[i].group).actions.emplace_back(c, static_cast<int>(i));
-  // Actions that draw a path begin the first column.
+  // Actions that draw a path are at the top of the first column.
   std::stable_partition(sections_.begin(), sections_.end(), [&](const Section& s) {
     return std::any_of(s.actions.begin(), s.actions.end(), [&](const ActionForm& a) {
       return c.actions[static_cast<std::size_t>(a.action())].is_arc;
@@ -83,8 +83,8 @@ void Control::make_sections(const Catalog& c) {
   });
 }
 
-/// Once per connection: a switch in a table shows its state without a visit to the set-up. If it was refused,
-/// something else was under way.
+/// Reads the settings once per connection, so that a switch in a table shows its state. If the request was
+/// refused because other work was under way, it is repeated.
 void Control::read_settings(Frame& f) {
   constexpr double again_after_s = 3;
   if (!f.connected()) reading_ = 0;
@@ -105,7 +105,8 @@ int Control::bars(const Frame& f, const Section& s) { return f.tier == Tier::wid
 void Control::draw(Frame& f) {
   make_sections(f.catalog);
   read_settings(f);
-  if (any_follows_analog(f.catalog)) f.tab.look_at_group(f.catalog.analog_readout_group);  // bars anywhere
+  if (any_follows_analog(f.catalog))
+    f.tab.watched.look_at_group(f.catalog.analog_readout_group);  // the bars may be anywhere
   Ui& ui = f.ui;
   begin_part(ui, "control", 0, ui.px(f.area.height), Tone::panel, 16);
   const float whole = ImGui::GetContentRegionAvail().x / ui.scale;
@@ -135,7 +136,8 @@ void Control::draw(Frame& f) {
   end_part();
 }
 
-/// Under the second of two tables, if those share the width more or less evenly; else after half of it.
+/// The left of the second column: that of the second of two tables, if they share the width more or less
+/// evenly; else half of the width.
 float Control::second_column(float whole) const {
   const float of_tables = tables_->second_column();
   if (of_tables >= whole * 0.42f && of_tables <= whole * 0.58f) return of_tables;

@@ -18,12 +18,12 @@ using namespace gui;
 namespace {
 
 constexpr float readout_row_height = 28, head_height = 24, axis_width = 32, most_columns = 8;
-constexpr float cells_height = 20;  ///< cells under "36 of 36 places free": a row of them, or two close ones
+constexpr float cells_height = 20;  ///< cells below "36 of 36 places free", in one row or in two
 
-// Many groups are polled in turn: younger values are fresh enough.
+// Many groups are polled in turn, so a value of this age is still fresh.
 constexpr Duration patience = Millis(3000);
 
-/// Readouts with the same meaning for successive axes are adjacent in the catalog.
+/// Readouts with the same meaning for successive axes, which are adjacent in the catalog.
 struct Run {
   std::size_t first = 0, size = 0;
 };
@@ -87,13 +87,13 @@ void draw_value(Frame& f, std::size_t i, const Rect& in, bool right_aligned) {
   show(ui, {Path("readout/{}", info.id), Kind::text, info.label, words.view(), {}, false, info.help}, in);
 }
 
-/// The free places of the controller's buffer.
+/// Whether the readout counts the free places of the controller's buffer.
 bool counts_places(const Catalog& c, std::size_t i) {
   return c.move_list.depth > 0 && c.readouts[i].group == c.move_list.readout_group &&
          c.readouts[i].words.empty() && !c.readouts[i].for_scripts;
 }
 
-/// "36 of 36 places free", and under it a cell for each place, filled where a move waits.
+/// Draws "36 of 36 places free", and below it a cell for each place, filled where a move waits.
 void draw_places(Frame& f, std::size_t i, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -145,10 +145,12 @@ void draw_columns(Frame& f, std::span<const Run> columns, float width) {
   const float share = (width - axis_width) / static_cast<float>(columns.size());
   const auto cell = [&](std::size_t column, float y, float height) {
     const float x = at.x + ui.px(axis_width + share * static_cast<float>(column));
-    const float end = column + 1 < columns.size() ? share - 8 : share;  // the last ends where the lines end
+    const float end =
+        column + 1 < columns.size() ? share - 8 : share;  // the last column ends where the lines end
     return Rect{ImVec2(x, y), ImVec2(x + ui.px(end), y + ui.px(height))};
   };
-  float free_from = cell(0, at.y, head_height).min.x;  // a head may begin over the end of the previous column
+  float free_from =
+      cell(0, at.y, head_height).min.x;  // a head may begin above the end of the previous column
   for (std::size_t n = 0; n < columns.size(); ++n) {
     const ReadoutInfo& info = c.readouts[columns[n].first];
     const Rect r = cell(n, at.y, head_height);
@@ -226,7 +228,8 @@ void draw_readouts(Frame& f, int group, float width, const ReadoutSet& elsewhere
   const float height = ui.px(readouts_height(f.catalog, group, elsewhere));
   if (height <= 0) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (ImGui::IsRectVisible(at, ImVec2(at.x + ui.px(width), at.y + height))) f.tab.look_at_group(group);
+  if (ImGui::IsRectVisible(at, ImVec2(at.x + ui.px(width), at.y + height)))
+    f.tab.watched.look_at_group(group);
   for (std::size_t i = 0; i < f.catalog.readouts.size(); ++i)
     if (drawn(f.catalog, i, group, elsewhere) && !per_axis(f.catalog, f.catalog.readouts[i]))
       draw_single(f, i, width);
@@ -235,11 +238,11 @@ void draw_readouts(Frame& f, int group, float width, const ReadoutSet& elsewhere
   if (n > 0) draw_columns(f, {columns, n}, width);
 }
 
-// Off, waiting and done also have lamps: a word alone never shows a state.
+// Off, waiting and done have lamps too, because a word alone must not show a state.
 void draw_readout(Frame& f, std::size_t i, const Rect& in) {
   Ui& ui = f.ui;
   const ReadoutInfo& info = f.catalog.readouts[i];
-  if (ImGui::IsRectVisible(in.min, in.max)) f.tab.look_at_group(info.group);
+  if (ImGui::IsRectVisible(in.min, in.max)) f.tab.watched.look_at_group(info.group);
   Rect rest = in;
   const bool known = i < f.now.readouts_known.size() && f.now.readouts_known[i];
   if (!info.words.empty() && info.words.front().label == "off") {

@@ -1,6 +1,6 @@
 #pragma once
-// Values a controller reports apart from positions and inputs (Catalog::readouts), by group: those of the
-// whole controller as rows, those of each axis as a table. Ids: `readout/ID`.
+// Draws the values that a controller reports in addition to positions and inputs (Catalog::readouts), by
+// group: values of the whole controller as rows, values of each axis as a table. Ids: `readout/ID`.
 #include <bitset>
 #include <string_view>
 
@@ -24,7 +24,7 @@ class ReadoutText {
   bool known_ = false, old_ = false, bad_ = false;
 };
 
-/// By index in Catalog::readouts.
+/// A set of indices of Catalog::readouts.
 using ReadoutSet = std::bitset<max_readouts>;
 
 /// Draws the readouts of a group at ImGui's cursor, except those `elsewhere`, and polls them while they are
@@ -34,7 +34,7 @@ void draw_readouts(gui::Frame& frame, int group, float width, const ReadoutSet& 
 float readouts_height(const Catalog& catalog, int group, const ReadoutSet& elsewhere = {});
 /// The readout of free places in the buffer of moves; -1: none.
 int find_free_places(const Catalog& catalog);
-/// Draws one value within `in` and polls it. Numbers are right-aligned, words left-aligned.
+/// Draws a value within `in` and polls it. Numbers are right-aligned, words left-aligned.
 void draw_readout(gui::Frame& frame, std::size_t readout, const gui::Rect& in);
 
 }  // namespace hw::panels

@@ -21,10 +21,10 @@ struct OwnNumber {
   std::string_view unit;
   int axis, decimals;
   bool follows_loop;
-  bool is_signed;  ///< its + is a direction; else an amount
+  bool is_signed;  ///< true: the sign is a direction; false: an amount
 };
 
-/// The suffix of the step unit: "" of a position, "/s" of a speed. Nothing for other units.
+/// The suffix after the step unit: "" for a position, "/s" for a speed; nullopt for other units.
 std::optional<std::string_view> behind_step(const Catalog& c, std::string_view unit) {
   if (!unit.starts_with(c.step_word)) return {};
   const std::string_view rest = unit.substr(c.step_word.size());
@@ -36,7 +36,7 @@ ShownUnit shown_as(const Frame& f, const OwnNumber& own) {
   u.decimals = u.own_decimals = own.decimals;
   const auto rest = behind_step(f.catalog, own.unit);
   if (own.axis >= 0 && rest) {
-    const DisplayUnit& chosen = f.tab.unit(AxisId{static_cast<std::uint8_t>(own.axis)});
+    const DisplayUnit& chosen = f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(own.axis)});
     if (chosen.real) {
       u.name = chosen.name;
       u.name += *rest;

@@ -1,6 +1,6 @@
 #pragma once
-// A number of the catalog (steps, steps/s, or another quantity) as shown and typed: in the unit the user has
-// chosen for its axis, as everywhere in the console.
+// Shows and reads a number of the catalog (steps, steps/s, or another quantity) in the unit that the user has
+// chosen for its axis.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -23,14 +23,15 @@ struct ShownUnit {
 
 ShownUnit shown_unit(const gui::Frame& frame, const ParamInfo& param);
 ShownUnit shown_unit(const gui::Frame& frame, const ReadoutInfo& readout);
-/// "2.5000", without its unit. A value that is not a number of steps as the controller writes it: "4EX07".
+/// "2.5000", without its unit. A value that is not a number of steps is written as the controller writes it:
+/// "4EX07".
 std::string text_in(const ShownUnit& unit, const ParamInfo& param, std::int64_t value);
 /// "0 or 0.0025 to 15", without its unit.
 std::string range_in(const ShownUnit& unit, const ParamInfo& param);
-/// `axis` -1: no axis, so the catalog's own unit.
+/// The unit of a field for `axis`; -1: no axis, so the catalog's own unit.
 ShownUnit shown_unit(const gui::Frame& frame, const ActionField& field, int axis);
 
-/// The units of a column's rows, each once: "mm/s", or "mm/s, °/s".
+/// Collects the units of a column's rows, each once: "mm/s", or "mm/s, °/s".
 class UnitsOfRows {
  public:
   void add(std::string_view name);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t most_left_out = 40, most_remarks = 4;
 
-/// Moves of all axes, with the tool on or off; an arc counts as one.
+/// The number of moves of all axes, with the tool on or off. An arc counts as one move.
 std::size_t moves_in(const sequence::StepList& steps) {
   std::size_t moves = 0;
   for (const sequence::Step& step : steps) {
@@ -73,7 +73,7 @@ void DrawingFacts::follow(const DrawingJob& job, const ConversionOptions& wanted
     time_ = fmt::format("at least {}", format_duration(*made->at_least_s).view());
   count_ = moves_in(c.sequence.steps);
   moves_ = fmt::format("{}", count_);
-  if (c.going == drawing::Going::stairs) moves_ += ", an axis each";
+  if (c.curve_mode == drawing::CurveMode::stairs) moves_ += ", an axis each";
   drawn_ = in_mm(c.drawn), travel_ = in_mm(c.way);
   if (const double saved = c.way_as_drawn - c.way; saved >= 0.05) {
     saved_ = in_mm(saved);
@@ -106,7 +106,7 @@ void DrawingFacts::draw_remarks(Frame& f, const std::vector<std::string>& remark
 void DrawingFacts::draw(Frame& f, const DrawingJob& job) {
   Ui& ui = f.ui;
   section_title(ui, "Time", job.busy_with());
-  // Always shown: controls below must not move while work is under way.
+  // The bar is always shown, so that the controls below do not move while work is under way.
   const float share = job.busy() ? job.ordered() : job.made() ? 1.0f : 0.0f;
   meter(ui, "drawing/progress", "Done", share,
         {.tone = job.busy() ? Tone::motion : Tone::ink2, .words = job.busy_with()});
@@ -129,9 +129,9 @@ void DrawingFacts::draw(Frame& f, const DrawingJob& job) {
     key_value(ui, "drawing/moves", "Moves", moves_);
     key_value(ui, "drawing/drawn", "Tool on", drawn_);
     key_value(ui, "drawing/travel", "Tool off", travel_);
-    if (!saved_.empty()) key_value(ui, "drawing/saved", "Saved by the order", saved_, Tone::ok);
+    if (!saved_.empty()) key_value(ui, "drawing/saved", "Saved by reordering", saved_, Tone::ok);
     if (untimed_) draw_why_untimed(f);
-    if (!beside_.empty()) key_value(ui, "drawing/beside", "Beside its lines", beside_);
+    if (!beside_.empty()) key_value(ui, "drawing/beside", "Deviation", beside_);
     key_value(ui, "drawing/size", "Size", size_);
     key_value(ui, "drawing/chains", "Chains", chains_);
     draw_remarks(f, made->written.remarks);
@@ -143,10 +143,10 @@ void DrawingFacts::draw(Frame& f, const DrawingJob& job) {
 }
 
 void DrawingFacts::draw_why_untimed(Frame& f) {
-  constexpr std::string_view why = "Give both speeds to see how long that is.";
+  constexpr std::string_view why = "Give both speeds to see the time that this saves.";
   const ImVec2 from = ImGui::GetCursorScreenPos();
   wrapped(f.ui, Face::small, Tone::ink3, why);
-  show(f.ui, {"drawing/saved/untimed", Kind::text, "Saved by the order", why},
+  show(f.ui, {"drawing/saved/untimed", Kind::text, "Saved by reordering", why},
        {from, ImGui::GetCursorScreenPos()});
 }
 
@@ -163,7 +163,7 @@ void DrawingFacts::draw_left_out(Frame& f) {
     show(f.ui, {id, Kind::text, title, entities.front()}, {from, ImGui::GetCursorScreenPos()});
   };
   list("drawing/left_out", "Left out", left_out_title_, left_out_);
-  list("drawing/understood", "Drawn as understood", {}, understood_);
+  list("drawing/understood", "Drawn with assumptions", {}, understood_);
 }
 
 }  // namespace hw::panels

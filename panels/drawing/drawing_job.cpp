@@ -17,7 +17,7 @@ namespace {
 
 using SharedOutline = std::shared_ptr<const Outline>;
 
-/// The outline of a drawing that cannot be made as wanted; null: no outline either.
+/// The outline of a drawing that cannot be made with these options; null: it has no outline either.
 SharedOutline outline_in_units(const drawing::Drawing& drawing, const ConversionOptions& options,
                                drawing::Point scale) {
   auto outline = outline_of(drawing, options);
@@ -36,7 +36,8 @@ SharedOutline outline_in_units(const drawing::Drawing& drawing, const Conversion
 
 }  // namespace
 
-std::optional<double> DrawingJob::seconds_left(const Made& made, int step, int percent, double at_it_s) {
+std::optional<double> DrawingJob::seconds_left(const Made& made, int step, int percent,
+                                               double time_at_step_s) {
   const std::vector<std::size_t>& begins = made.conversion.begins;
   if (made.chain_seconds.empty() || made.chain_seconds.size() != begins.size() || percent <= 0)
     return std::nullopt;
@@ -50,21 +51,21 @@ std::optional<double> DrawingJob::seconds_left(const Made& made, int step, int p
         at <= begins[chain] ? 1.0 : static_cast<double>(end - at) / static_cast<double>(end - begins[chain]);
     left += share * made.chain_seconds[chain];
   }
-  return std::max(left * 100 / percent - at_it_s, 0.0);
+  return std::max(left * 100 / percent - time_at_step_s, 0.0);
 }
 
 void StepClock::follow(const PiecesState& now, Instant clock, bool at_work) {
   const bool begins = now.running && !running_;
   if (begins || now.step != step_ || now.done != done_)
-    at_it_s_ = 0;
+    time_at_step_s_ = 0;
   else if (now.running && !now.held && at_work)
-    at_it_s_ += std::max(hw::seconds(clock - seen_at_), 0.0);
+    time_at_step_s_ += std::max(hw::seconds(clock - seen_at_), 0.0);
   step_ = now.step, done_ = now.done, running_ = now.running, seen_at_ = clock;
 }
 
 void DrawingJob::open(Frame& f, const std::filesystem::path& file, const ConversionOptions& wanted) {
-  const bool opening = reading_ && anew_;        // else the previous file is read again in the background
-  if (opening && file == reading_file_) return;  // dropped twice
+  const bool opening = reading_ && anew_;  // otherwise the previous file is read again in the background
+  if (opening && file == reading_file_) return;  // the same file was dropped twice
   if (opening) return f.toast(Severity::plain, "Open this drawing again when the other one has been read.");
   read(f, file, wanted, true);
 }
@@ -74,7 +75,7 @@ void DrawingJob::read(Frame& f, const std::filesystem::path& file, const Convers
   reading_ = true, anew_ = anew;
   reading_file_ = file;
   read_as_ = as(f, wanted);
-  f.tab.desk().worker().run(
+  f.tab.desk().work.worker().run(
       [file, catalog = f.catalog, wanted]() -> Result<Drawing> {
         return read_drawing(file, catalog, wanted).map([](drawing::Drawing&& d) {
           return std::make_shared<const drawing::Drawing>(std::move(d));
@@ -110,7 +111,7 @@ std::string_view DrawingJob::busy_with() const {
 
 void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t version,
                         drawing::Point scale) {
-  const Language* language = f.tab.desk().language();
+  const Language* language = f.tab.desk().programs.language();
   const bool together = draws_together(f);
   if (busy()) f.ui.wake_in(0.1);  // for the progress bar
   if (std::exchange(scale_, scale) != scale) old_ = true;
@@ -121,10 +122,10 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
   old_ = false;
   converting_ = true;
   *ordered_ = 0;
-  f.tab.desk().worker().run(
+  f.tab.desk().work.worker().run(
       [drawing = drawing_, catalog = f.catalog, language = together ? nullptr : language,
-       rehearsing = together ? Rehearsing{f.console.rehearsal_of(*f.tab.bus), nullptr}
-                             : Rehearsing{nullptr, f.console.rehearsal_of(f.tab)},
+       rehearsing = together ? RehearsalCalls{f.console.rehearsal_of(*f.tab.bus), nullptr}
+                             : RehearsalCalls{nullptr, f.console.rehearsal_of(f.tab)},
        wanted, scale, ordered = ordered_] {
         auto made = make_all(*drawing, catalog, language, rehearsing, wanted, scale, *ordered);
         auto outline = made ? nullptr : outline_in_units(*drawing, wanted, scale);
@@ -134,7 +135,7 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
         auto& [made, outline] = done;
         converting_ = false;
         ++version_;
-        if (old_) return;  // of the previous drawing
+        if (old_) return;  // the result is for the previous drawing
         made_.reset(), fault_.clear();
         outline_ = std::move(outline);
         if (made)
@@ -148,7 +149,7 @@ void DrawingJob::follow(Frame& f, const ConversionOptions& wanted, std::uint64_t
   f.ui.wake_in(0);
 }
 
-/// Shows the path on the bus, whichever controller draws it.
+/// Shows the path on the bus, so that all its controllers show it.
 void DrawingJob::show_on_bus(Bus& bus) const {
   DrawnTogether& drawn = bus.drawn;
   drawn = {file_.filename().string(), nullptr, nullptr, drawn.number + 1, made_ ? made_->number : 0};

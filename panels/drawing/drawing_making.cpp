@@ -39,7 +39,7 @@ std::vector<int> chains_of_steps(const Conversion& made) {
   return chains;
 }
 
-/// Largest distance between chords and arcs, if the arcs go through a controller's buffer; else 0.
+/// The largest distance between chords and arcs, if the arcs go through a controller's buffer; else 0.
 double chord_of(const sequence::Sequence& sequence, const Parts& parts) {
   constexpr double half_a_step = 0.5;
   const bool streams = !parts.empty() && std::any_of(parts.front()->all.begin(), parts.front()->all.end(),
@@ -47,7 +47,7 @@ double chord_of(const sequence::Sequence& sequence, const Parts& parts) {
   return streams ? std::max(half_a_step / sequence.axes[0].per_unit, sequence.tolerance) : 0;
 }
 
-/// The path as the machine runs it; each run with its chain.
+/// The path as the machine runs it. The source of each run is its chain.
 std::shared_ptr<const drawing::ToolPath> tool_path_of(const Conversion& made, const Parts& parts,
                                                       drawing::Point scale) {
   drawing::ToolPath path = sequence_path(made.sequence, scale, chord_of(made.sequence, parts));
@@ -65,7 +65,7 @@ double length_of_chain(const drawing::Chain& chain) {
   return length;
 }
 
-/// By chain, with the travel to it. Empty: no speeds are set, so the controller's own apply.
+/// Durations by chain, with the travel to it. Empty: no speeds are set, so the controller's own speeds apply.
 std::vector<double> without_ramps(const Conversion& made, const ConversionOptions& options) {
   std::vector<double> all;
   if (!(options.cutting.high > 0) || !(options.travel.high > 0)) return all;
@@ -112,7 +112,7 @@ Result<> note_tool(DrawingJob::Made& made, const Catalog& catalog) {
   return {};
 }
 
-/// By chain: a piece may draw several chains, as dots are drawn with what follows them.
+/// Durations by chain. A piece may draw several chains, because dots are drawn with the chain that follows.
 std::vector<double> by_chain(const std::vector<double>& seconds, const DrawingJob::Made& made) {
   const Conversion& c = made.conversion;
   const auto& pieces = made.parts.front()->all;
@@ -154,11 +154,11 @@ void time_by_ramps(DrawingJob::Made& made, const Catalog& catalog) {
   made.chain_seconds = by_chain(seconds, made);
 }
 
-/// For controllers that draw together, in mm; a piece is a chain.
+/// Rehearses controllers that draw together, in mm. A piece is a chain.
 void take_rehearsal(DrawingJob::Made& made, const Catalog& catalog, const Console::Together& rehearse) {
   made.path = made.meant = tool_path_of(made.conversion, made.parts, {1, 1});
   made.written.remarks.push_back(made.parts.front()->remark);
-  made.with_transfers = true;  // nothing is sent in advance
+  made.with_transfers = true;  // no piece is sent in advance
   auto done = rehearse ? rehearse(made.conversion.sequence) : RehearsedTogether();
   if (!done)
     made.written.remarks.insert(
@@ -182,10 +182,10 @@ void take_rehearsal(DrawingJob::Made& made, const Catalog& catalog, const Consol
   made.together = std::make_shared<const Rehearsal>(std::move(*done));
 }
 
-/// For one controller that draws in pieces. Pieces beyond the rehearsed time are extrapolated from their
-/// length, in the ratio found before.
+/// Rehearses a controller that draws in pieces. Pieces beyond the rehearsed time are extrapolated from their
+/// lengths, in the ratio found before.
 void time_pieces(DrawingJob::Made& made, const Console::InPieces& rehearse) {
-  std::vector<double>& chains = made.chain_seconds;  // from their lengths, so far
+  std::vector<double>& chains = made.chain_seconds;  // so far from their lengths
   if (!rehearse) return;
   const auto done = rehearse(made.parts.front());
   made.with_transfers = done.has_value();
@@ -235,7 +235,7 @@ Result<Parts> parts_of(const sequence::Sequence& sequence, const Catalog& catalo
 }
 
 Result<DrawingJob::Made> make_all(const drawing::Drawing& drawing, const Catalog& catalog,
-                                  const Language* language, const Rehearsing& rehearsing,
+                                  const Language* language, const RehearsalCalls& rehearsing,
                                   const ConversionOptions& options, drawing::Point scale,
                                   std::atomic<float>& ordered) {
   auto converted = convert(drawing, catalog, options, [&](double done) {

@@ -1,19 +1,19 @@
 #pragma once
-// A worker's results for a drawing: its conversion, program text, pieces, path and times.
+// Makes, on a worker, the results for a drawing: its conversion, program text, pieces, path and times.
 #include "gui/shell/console.h"
 #include "panels/drawing/drawing_job.h"
 
 namespace hw::panels {
 
-/// How a worker rehearses a drawing in pieces; null: it cannot.
-struct Rehearsing {
+/// Calls with which a worker rehearses a drawing in pieces; null: it cannot.
+struct RehearsalCalls {
   gui::Console::Together together;
   gui::Console::InPieces alone;
 };
 
-/// Makes all results of a drawing. Slow. `ordered`: how far its chains have been put in order, 0 to 1.
+/// Makes all results of a drawing. Slow. `ordered` is the share of the chains that are in order, 0 to 1.
 Result<DrawingJob::Made> make_all(const drawing::Drawing& drawing, const Catalog& catalog,
-                                  const Language* language, const Rehearsing& rehearsing,
+                                  const Language* language, const RehearsalCalls& rehearsing,
                                   const ConversionOptions& options, drawing::Point scale,
                                   std::atomic<float>& ordered);
 

@@ -16,9 +16,9 @@ namespace hw::panels {
 
 using namespace gui;
 
-/// On a bus: of its first controller, whichever is in front.
+/// The profile key; on a bus that of its first controller, whichever is in front.
 static const std::string& key_of(const Frame& f) {
-  return f.tab.bus ? f.tab.bus->members.front()->profile_key : f.tab.profile_key;
+  return f.tab.bus ? f.tab.bus->members.front()->settings.key : f.tab.settings.key;
 }
 
 void DrawingOptions::begin(const Frame& f) {
@@ -41,13 +41,13 @@ void DrawingOptions::keep(const Frame& f) {
   if (now == kept_) return;
   const bool first = kept_.numbers.empty();
   kept_ = std::move(now);
-  if (first || !f.console.folders().enabled) return;  // the user has not chosen anything yet
-  f.tab.desk().worker().run([store = KeptOptionsOfDrawings(f.console.folders()), key = key_of(f),
-                             kept = kept_] { return store.save(key, kept); },
-                            [&console = f.console](const Result<>& saved) {
-                              if (!saved) console.toast(Severity::warn, saved.error().sentence());
-                            },
-                            alive_);
+  if (first || !f.console.folders().enabled) return;  // the user has made no choice yet
+  f.tab.desk().work.worker().run([store = KeptOptionsOfDrawings(f.console.folders()), key = key_of(f),
+                                  kept = kept_] { return store.save(key, kept); },
+                                 [&console = f.console](const Result<>& saved) {
+                                   if (!saved) console.toast(Severity::warn, saved.error().sentence());
+                                 },
+                                 alive_);
 }
 
 bool DrawingOptions::is_drawn(const drawing::Layer& layer) const {
@@ -58,7 +58,8 @@ bool DrawingOptions::is_drawn(const drawing::Layer& layer) const {
 void DrawingOptions::choose_layers(const drawing::Drawing& drawing, ConversionOptions& o) const {
   for (const drawing::Layer& layer : drawing.layers)
     if (is_drawn(layer)) o.layers.push_back(layer.name);
-  if (!o.layers.empty()) return;  // else draw none: an empty list would mean all layers that the file shows
+  if (!o.layers.empty())
+    return;  // else draw none, because an empty list would mean all layers that the file shows
   o.without.resize(drawing.paths.size());
   std::iota(o.without.begin(), o.without.end(), 0);
 }
@@ -96,7 +97,7 @@ void DrawingOptions::draw_layers(Frame& f, const drawing::Drawing& drawing) {
     const bool drawn = is_drawn(layer);
     const std::string_view hidden = layer.frozen ? "frozen" : "off";
     const Path word("{}, {}", on_layer_[i], drawn ? "drawn" : layer.shown ? "left out" : hidden);
-    const Path tip("It is {} in the file, so it is left out unless you choose it.", hidden);
+    const Path tip("Choose the layer to draw it: it is {} in the file, and left out otherwise.", hidden);
     ToggleOptions o;
     o.state = drawn ? ToggleState::on : ToggleState::off;
     o.word = word;

@@ -1,7 +1,7 @@
 #pragma once
-// The options of a drawing: its place, the tool, and its layers. Options of the machine are kept for the next
-// drawing and the next session. Ids: `drawing/keep_order`, `drawing/layer/NAME`; see also DrawingPlace and
-// DrawingTool.
+// Shows the options of a drawing: its place, the tool, and its layers. Options of the machine are kept for
+// the next drawing and the next session. Ids: `drawing/keep_order`, `drawing/layer/NAME`; see also
+// DrawingPlace and DrawingTool.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -15,18 +15,18 @@ namespace hw::panels {
 
 class DrawingOptions {
  public:
-  /// Draws at ImGui's cursor. `drawing` null: none is open, so there are no layers.
+  /// Draws at ImGui's cursor. `drawing` is null while no drawing is open; there are no layers then.
   void draw(gui::Frame& frame, const drawing::Drawing* drawing);
-  /// Call once a frame: applies and keeps the changes made since.
+  /// Call once a frame. Applies and keeps the changes since the previous call.
   void settle(const gui::Frame& frame, const drawing::Drawing* drawing);
-  /// Defaults from the controller and the units of its axes.
+  /// Takes defaults from the controller and the units of its axes.
   void begin(const gui::Frame& frame);
   /// Call when another file is opened.
   void forget_file() {
     other_layers_.clear(), without_.clear(), place_.forget_file();
     counted_of_ = nullptr, changed_ = true;
   }
-  /// `paths`: indexes into Drawing::paths.
+  /// Leaves out `paths`, indexes into Drawing::paths.
   void leave_out(const std::vector<int>& paths) {
     without_.insert(without_.end(), paths.begin(), paths.end());
     changed_ = true;
@@ -39,7 +39,7 @@ class DrawingOptions {
   /// The axes along its X and Y, as indexes into the catalog.
   [[nodiscard]] const std::array<int, 2>& axes() const { return place_.axes(); }
   [[nodiscard]] const ConversionOptions& wanted() const { return wanted_; }
-  /// The option that is not understood, as a sentence; empty: none.
+  /// The sentence about an option that is not understood; empty: none.
   [[nodiscard]] const std::string& wrong() const { return wrong_; }
   /// Changes with wanted().
   [[nodiscard]] std::uint64_t version() const { return version_; }

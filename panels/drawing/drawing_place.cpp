@@ -20,7 +20,8 @@ static constexpr std::array<std::string_view, 7> file_units{"mm", "in", "cm", "m
 
 KeptScale kept_scale(const Frame& f, int axis) {
   const Tab& owner = owner_of(f, axis);
-  const DisplayUnit unit = kept_unit(owner.catalog(), owner.profile.axes[draws_together(f) ? 0 : ix(axis)]);
+  const DisplayUnit unit =
+      kept_unit(owner.catalog(), owner.settings.profile.axes[draws_together(f) ? 0 : ix(axis)]);
   const auto length = unit.real && unit.per_step != 0 ? millimetres(unit.name) : std::nullopt;
   return {length ? 1 / (std::abs(unit.per_step) * *length) : 0, unit.per_step < 0};
 }
@@ -30,7 +31,7 @@ double steps_in_mm(const Frame& f, int axis) {
   return kept > 0 ? kept : 100;
 }
 
-/// Key in the file.
+/// The key in the file.
 static std::string scale_id(const AxisInfo& axis) { return "drawing/per_unit/" + axis.name; }
 
 static constexpr std::array<const char*, 2> along_ids{"drawing/along_x", "drawing/along_y"};
@@ -90,7 +91,7 @@ std::string DrawingPlace::wrong() const {
                       &table_[1], &table_[2], &table_[3]});
 }
 
-/// Warns if the table is incomplete, because it is then not checked.
+/// Warns if the table is incomplete, because it cannot be checked then.
 std::string_view DrawingPlace::table_in_words() const {
   const auto& [left, right, bottom, top] = table_;
   const bool none = left.value() == 0 && right.value() == 0 && bottom.value() == 0 && top.value() == 0;
@@ -155,17 +156,19 @@ bool DrawingPlace::draw(Frame& f, const drawing::Drawing* drawing) {
   changed |= toggle_option(f, "drawing/flip_x", "Flip left and right", flip_x_);
   changed |= toggle_option(f, "drawing/flip_y", "Flip up and down", flip_y_);
   changed |= tolerance_.draw(f, "drawing/tolerance", "Tolerance", 0, "mm");
-  const bool stairs = going_of(f.catalog) == drawing::Going::stairs;
-  wrapped(ui, Face::small, stairs && !(tolerance_.value() > 0) ? Tone::warn : Tone::ink3,
-          stairs ? "Give the largest distance of the stairs from the line: only one axis moves at a time."
-                 : "Largest distance of chords from their curves. Empty: half a step.");
+  const bool stairs = curve_mode_of(f.catalog) == drawing::CurveMode::stairs;
+  wrapped(
+      ui, Face::small, stairs && !(tolerance_.value() > 0) ? Tone::warn : Tone::ink3,
+      stairs
+          ? "Give the largest distance of the stairs from the line: this controller moves one axis at a time."
+          : "Largest distance of chords from their curves. Empty: half a step.");
   changed |= join_.draw(f, "drawing/join", "Join ends within", 0, "mm");
   changed |= draw_table(f);
   group_line(ui);
   return changed;
 }
 
-/// The file's unit stands above the others, and applies until the user overrides it.
+/// The file's unit is above the other units, and applies until the user overrides it.
 bool DrawingPlace::draw_unit(Frame& f, const drawing::Drawing* drawing) {
   Ui& ui = f.ui;
   const bool file_has_unit = drawing && !drawing->unit.empty();
@@ -235,7 +238,7 @@ bool DrawingPlace::draw_table(Frame& f) {
   bool changed = false;
   for (std::size_t i = 0; i < table_ids.size(); ++i)
     changed |= table_[i].draw(f, table_ids[i], labels[i], furthest, "mm");
-  const std::string_view why = table_in_words();  // reserves the longer height: nothing below moves
+  const std::string_view why = table_in_words();  // keeps the larger height, so that nothing below moves
   const bool begun = why.starts_with("Enter");
   const ImVec2 from = ImGui::GetCursorScreenPos();
   wrapped(f.ui, Face::small, begun ? Tone::warn : Tone::ink3, why);

@@ -1,6 +1,6 @@
 #pragma once
-// The placement of a drawing: its unit, the drawing axes and their scale, the point at 0, 0, and the table.
-// Ids: `drawing/unit`, `drawing/times`, `drawing/along_x`, `drawing/along_y`, `drawing/per_unit/AXIS`,
+// Shows the placement of a drawing: its unit, the drawing axes and their scale, the point at 0, 0, and the
+// table. Ids: `drawing/unit`, `drawing/times`, `drawing/along_x`, `drawing/along_y`, `drawing/per_unit/AXIS`,
 // `drawing/origin/...`, `drawing/swap`, `drawing/flip_x`, `drawing/flip_y`, `drawing/tolerance`,
 // `drawing/mirrored/AXIS`, `drawing/join`, `drawing/table/left` (right, bottom, top).
 #include <array>
@@ -17,38 +17,39 @@ namespace hw::panels {
 
 /// The scale that follows from the unit kept for an axis, whether it is shown now or not.
 struct KeptScale {
-  double steps_in_mm = 0;  ///< takes precedence over a scale typed earlier; 0: the unit is no length
-  bool opposite = false;   ///< counts opposite to the steps
+  double steps_in_mm = 0;  ///< takes precedence over a scale typed earlier; 0: the unit is not a length
+  bool opposite = false;   ///< the unit counts opposite to the steps
   bool operator==(const KeptScale&) const = default;
 };
 KeptScale kept_scale(const gui::Frame& frame, int axis);
-/// 100 if the kept unit is no length.
+/// The steps in a mm; 100 if the kept unit is not a length.
 double steps_in_mm(const gui::Frame& frame, int axis);
 
 class DrawingPlace {
  public:
   void begin(const gui::Frame& frame);
-  /// `drawing` null: none is open. True: something has changed.
+  /// `drawing` is null while none is open. Returns true when an option has changed.
   bool draw(gui::Frame& frame, const drawing::Drawing* drawing);
-  /// Call once a frame: a unit chosen since then at the numbers gives the scale. True: it does.
+  /// Call once a frame. A unit that the user has chosen at the positions since gives the scale. Returns true
+  /// when it does.
   bool follow_units(const gui::Frame& frame);
   void put(const gui::Frame& frame, ConversionOptions& options) const;
-  /// Keeps the options of the machine, not those of the drawing. The tolerance of stairs is given anew for
+  /// Keeps the options of the machine, not those of the drawing. The user gives the tolerance of stairs for
   /// each drawing.
   void keep(const gui::Frame& frame, KeptOptions& kept) const;
   void take(const gui::Frame& frame, const KeptOptions& kept);
-  /// The first field that holds no number, as a sentence; empty: none.
+  /// The sentence about the first field that holds no number; empty: none.
   [[nodiscard]] std::string wrong() const;
 
-  /// Another file may be in another unit.
+  /// Call when another file is opened, because it may have another unit.
   void forget_file() { unit_ = -1, times_.set(1, 3), set_origin({}); }
-  /// The next click sets the point at 0, 0.
+  /// Whether the next click sets the point at 0, 0.
   [[nodiscard]] bool wants_origin() const { return origin_ == 2; }
   /// `of_drawing`: a point of the drawing.
   void set_origin(drawing::Point of_drawing) { point_ = of_drawing; }
   /// The axes along its X and Y, as indexes into the catalog.
   [[nodiscard]] const std::array<int, 2>& axes() const { return axes_; }
-  /// The form of all scales.
+  /// The form in which all scales are shown.
   [[nodiscard]] ScaleForm form() const { return form_; }
 
  private:
@@ -70,8 +71,8 @@ class DrawingPlace {
   ScaleForm form_ = ScaleForm::steps_in_mm;
   std::vector<std::string_view> form_names_;
   std::vector<Path> form_words_;
-  std::vector<double> scales_;  ///< as typed, per axis, also for axes that do not draw; 0: none typed
-  std::vector<double> kept_;    ///< of kept_scale() of each axis as seen last
+  std::vector<double> scales_;  ///< typed scales by axis, also for axes that do not draw; 0: none typed
+  std::vector<double> kept_;    ///< kept_scale() of each axis at the last look
   std::vector<std::string_view> axis_names_;
   drawing::Point point_;  ///< point of the drawing at 0, 0
   bool swap_ = false, flip_x_ = false, flip_y_ = false;

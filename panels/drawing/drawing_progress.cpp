@@ -1,4 +1,4 @@
-// The display of a running drawing: its progress and speed.
+// Draws the progress and speed of a running drawing.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// A waiting piece has been sent.
+/// Whether no piece runs; a piece that waits has been sent.
 bool runs_none(const ProgramState& p) { return p.run == RunState::idle || p.run == RunState::error; }
 
 bool was_stopped(const PiecesState& p) { return !p.running && p.step >= 0 && p.done < p.total; }
@@ -39,13 +39,13 @@ void DrawingRun::draw_override(Frame& f) {
       .step = 10,
       .normal = 100,
       .disabled = is_last ? "The last piece runs at the speeds written in it." : "",
-      .tip = now.draws ? "Applies to what is sent from now on." : "Applies from the next piece on.",
+      .tip = now.draws ? "Applies to all moves sent from now on." : "Applies from the next piece on.",
       .value_text = speed_};
   if (slider(f.ui, "drawing/override", "Speed", percent, o))
     send_to_all(f, intent::OverrideSpeed(static_cast<int>(std::lround(percent))));
 }
 
-/// A controller's only piece has no number worth showing.
+/// The only piece of a controller needs no number.
 void DrawingRun::describe_progress(const PiecesState& now, bool is_sent, RunState program) {
   progress_.clear();
   const auto to = std::back_inserter(progress_);
@@ -56,7 +56,7 @@ void DrawingRun::describe_progress(const PiecesState& now, bool is_sent, RunStat
   else if (was_stopped(now))
     fmt::format_to(to, "Stopped in {}", what);
   else if (now.held && program == RunState::running)
-    fmt::format_to(to, "{}{} is finished first, then it holds", traces_ || now.total == 1 ? 'T' : 'P',
+    fmt::format_to(to, "{}{} is finished first, then the run is held", traces_ || now.total == 1 ? 'T' : 'P',
                    what.substr(1));
   else if (now.held)
     fmt::format_to(to, "Held {} {}", now.draws || program == RunState::held ? "in" : "before", what);
@@ -70,27 +70,28 @@ void DrawingRun::describe_progress(const PiecesState& now, bool is_sent, RunStat
     fmt::format_to(to, "At {}", what);
 }
 
-/// By time if known, as pieces and steps differ in length and some controllers report no steps.
+/// The progress is by time if it is known, because pieces and steps differ in length, and some controllers
+/// report no steps.
 void DrawingRun::draw_progress(Frame& f) {
   const PiecesState& now = pieces_of(f);
   if (now.total == 0) return;
-  const bool by_itself = !draws_together(f) && !now.draws;  // from a program it has stored
+  const bool by_itself = !draws_together(f) && !now.draws;  // it draws by a stored program
   const bool is_sent = now.running && !now.held && by_itself && runs_none(f.now.program);
   const DrawingJob::Made* made = at_work(f);
   const bool counts = !is_sent || (made && made->with_transfers);
   clock_.follow(now, f.clock, counts);
-  // On a bus, another panel may have begun something since.
+  // On a bus, another panel may have begun another drawing since.
   traces_ = traces_ && (!draws_together(f) || f.tab.bus->begun.get() == traced_);
   describe_progress(now, is_sent, by_itself && f.now.program.owned ? f.now.program.run : RunState::idle);
   const auto left =
-      made ? DrawingJob::seconds_left(*made, now.step, now.percent, clock_.at_it_s()) : std::nullopt;
+      made ? DrawingJob::seconds_left(*made, now.step, now.percent, clock_.time_at_step_s()) : std::nullopt;
   if (left && now.running)
     fmt::format_to(std::back_inserter(progress_), ", {} left", format_duration(*left).view());
   gap(f.ui, 8);
   meter(f.ui, "drawing/cut_progress", "Progress", static_cast<float>(share_done(now, made, left)),
         {.tone = Tone::motion, .old = !now.running, .words = progress_});
   gap(f.ui, 4);
-  constexpr int lines = 2;  // always: nothing below moves with the words
+  constexpr int lines = 2;  // always, so that nothing below moves with the words
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect in{at, ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + f.ui.px(16 * lines))};
   draw_text_in_lines(f.ui, in, Face::small, f.ui[Tone::ink2], progress_, lines);

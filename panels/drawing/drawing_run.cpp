@@ -24,25 +24,24 @@ using namespace gui;
 
 namespace {
 
-/// Of an axis of the frame's catalog.
+/// The state of an axis of the frame's catalog.
 const AxisState& axis_state(const Frame& f, int axis) {
   return owner_of(f, axis).now().axes[draws_together(f) ? 0 : ix(axis)];
 }
 
-/// Of each controller whose axis draws the drawing.
+/// Why a controller whose axis draws cannot run; empty: all can.
 std::string_view why_not_at_all(const Frame& f, const DrawingJob::Made* made) {
   if (!made) return why_no_pieces(f.tab);
   for (const sequence::Axis& axis : made->conversion.sequence.axes) {
     const int place = f.catalog.find_axis(axis.name);
     if (place < 0) continue;
     if (const std::string_view why = why_no_pieces(owner_of(f, place)); !why.empty()) return why;
-    if (!axis_state(f, place).position_known)
-      return "The position of one of its axes is not known. Home it, or set its position.";
+    if (!axis_state(f, place).position_known) return position_not_known;
   }
   return {};
 }
 
-/// The present position, and the way from there to the start of the rest.
+/// Says the present position, and the way from there to the start of the rest.
 std::string way_in_words(const Frame& f, const sequence::Sequence& of, int first_step) {
   const sequence::Places to = places_before(of, {ix(first_step)});
   sequence::Places from;
@@ -55,8 +54,8 @@ std::string way_in_words(const Frame& f, const sequence::Sequence& of, int first
              : fmt::format("\nFirst, with the tool off: from {} to {}.", places_in_words(f, of, from), there);
 }
 
-/// The step where the rest of the drawing begins, as all of its controllers came to it; none: nothing is
-/// left.
+/// The step where the rest of the drawing begins, which all of its controllers have reached; nullopt: nothing
+/// is left.
 std::optional<int> rest_of(const Frame& f, const DrawingJob::Made* made) {
   if (!made || pieces_of(f).running) return std::nullopt;
   std::optional<int> step;
@@ -70,7 +69,7 @@ std::optional<int> rest_of(const Frame& f, const DrawingJob::Made* made) {
   return step;
 }
 
-/// Facts to know before any of it runs.
+/// Facts that the user must know before the drawing runs.
 std::string first_in_words(const Pieces& pieces, const Catalog& catalog, std::string_view tool) {
   std::string lines;
   if (pieces.lifts > 0)
@@ -97,7 +96,7 @@ const DrawingJob::Made* DrawingRun::at_work(const Frame& f) const {
 }
 
 void DrawingRun::draw(Frame& f, const Wanted& wanted) {
-  describe_what_came(f);
+  report_outcome(f);
   if (pieces_of(f).running)
     draw_while_running(f);
   else
@@ -106,7 +105,7 @@ void DrawingRun::draw(Frame& f, const Wanted& wanted) {
   gap(f.ui, 8);
 }
 
-/// Why it cannot be cut at all, or because of its closed loops.
+/// Why the drawing cannot be cut, at all or because of its closed loops.
 std::string_view DrawingRun::why_not_now(const Frame& f, const DrawingJob::Made* made) {
   const Pieces* pieces = made && !made->parts.empty() ? made->parts.front().get() : nullptr;
   const std::uint32_t closed = pieces ? loops_in_the_way(*pieces, f.now) : 0;
@@ -116,7 +115,7 @@ std::string_view DrawingRun::why_not_now(const Frame& f, const DrawingJob::Made*
   return loops_;
 }
 
-/// Tells which loops prevent cutting, and offers to open them.
+/// Names the loops that prevent cutting, and offers to open them.
 void DrawingRun::draw_loops(Frame& f, const Pieces& pieces) {
   if (closed_loops_ == 0) return;
   Ui& ui = f.ui;
@@ -124,10 +123,9 @@ void DrawingRun::draw_loops(Frame& f, const Pieces& pieces) {
   wrapped(ui, Face::body, Tone::warn, loops_);
   show(ui, {"drawing/loops", Kind::text, "Closed loops", loops_}, {from, ImGui::GetCursorScreenPos()});
   gap(ui, 4);
-  const ButtonOptions off{
-      .disabled = why_not_at_all(f, nullptr),
-      .tip = "Positions count in steps from then on. It stays off until you switch it on.",
-      .height = 40};
+  const ButtonOptions off{.disabled = why_not_at_all(f, nullptr),
+                          .tip = "Positions then count in steps. The loop stays off until you switch it on.",
+                          .height = 40};
   if (button(ui, "drawing/open_loops", "Switch it off", off).clicked)
     for (const OpenLoop& loop : pieces.open_loops)
       if ((closed_loops_ >> loop.axis.index & 1u) != 0) f.send(intent::SetParam(loop.parameter, 0));
@@ -155,8 +153,9 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
                                  : fmt::format(", and takes {}{}", wanted.time,
                                                is_sent_first ? " once the controller has it" : "");
     ask(f, What::all, wanted.made, wanted.made->parts,
-        fmt::format("It goes {}, {} move{} in all{}.", in_pieces(wanted.made->parts.front()->all.size()),
-                    wanted.moves, wanted.moves == 1 ? "" : "s", time));
+        fmt::format("The drawing is cut {}, {} move{} in all{}.",
+                    in_pieces(wanted.made->parts.front()->all.size()), wanted.moves,
+                    wanted.moves == 1 ? "" : "s", time));
   }
   const Made* rest = left(f);
   if (!rest) return;
@@ -166,16 +165,17 @@ void DrawingRun::draw_start(Frame& f, const Wanted& wanted) {
       .tip = "Goes to the start of the unfinished part with the tool off, and draws the rest.",
       .height = 40,
       .moving = true};
-  if (button(f.ui, "drawing/cut_on", "Go on", on).clicked) ask_to_go_on(f);
+  if (button(f.ui, "drawing/cut_on", "Resume", on).clicked) ask_to_go_on(f);
 }
 
 void DrawingRun::draw_while_running(Frame& f) {
   const bool held = pieces_of(f).held;
-  const ButtonOptions hold{.icon = held ? Icon::play : Icon::pause,
-                           .tip = held ? "" : "Finishes the present part where it can, and starts no other.",
-                           .height = 40,
-                           .moving = held};
-  if (button(f.ui, "drawing/hold", held ? "Go on" : "Hold", hold).clicked) {
+  const ButtonOptions hold{
+      .icon = held ? Icon::play : Icon::pause,
+      .tip = held ? "" : "Finishes the present part where possible, and starts no other part.",
+      .height = 40,
+      .moving = held};
+  if (button(f.ui, "drawing/hold", held ? "Resume" : "Hold", hold).clicked) {
     if (held)
       send_to_all(f, intent::Resume());
     else
@@ -191,7 +191,7 @@ void DrawingRun::draw_while_running(Frame& f) {
   if (pieces_of(f).speed_can_change) draw_override(f);
 }
 
-/// To each controller involved.
+/// Sends the request to each controller that draws.
 void DrawingRun::send_to_all(Frame& f, const IntentBody& request) {
   if (draws_together(f))
     f.tab.bus->send_to_pieces(request);
@@ -211,7 +211,7 @@ void DrawingRun::ask(Frame& f, What what, Made made, Parts parts, std::string qu
   asked_.open = true;
 }
 
-/// Cuts the rest anew, from the start of the interrupted part.
+/// Asks whether to cut the rest, from the start of the interrupted part.
 void DrawingRun::ask_to_go_on(Frame& f) {
   if (const Made* rest = left(f)) work_out(f, What::rest, *rest, *rest_of(f, rest->get()));
 }
@@ -238,9 +238,9 @@ std::string_view DrawingRun::why_no_trace(const Frame& f, const DrawingJob::Made
 void DrawingRun::trace_frame(Frame& f, Made made) { work_out(f, What::frame, std::move(made), 0); }
 
 void DrawingRun::work_out(Frame& f, What what, Made made, int from_step) {
-  const Language* language = draws_together(f) ? nullptr : f.tab.desk().language();
+  const Language* language = draws_together(f) ? nullptr : f.tab.desk().programs.language();
   working_ = true;
-  f.tab.desk().worker().run(
+  f.tab.desk().work.worker().run(
       [what, made, catalog = f.catalog, language, from_step] {
         const Conversion& c = made->conversion;
         const bool frame = what == What::frame;
@@ -259,32 +259,32 @@ void DrawingRun::draw_dialog(Frame& f) {
   auto [what, made, parts] = std::exchange(worked_out_, {});
   if (!parts.empty() && what == What::frame)
     ask(f, what, std::move(made), std::move(parts),
-        fmt::format("It goes once around the drawing with the tool off, and returns to the start.{}",
+        fmt::format("The axes go once around the drawing with the tool off, and return to the start.{}",
                     left(f) ? "\nYou can continue the stopped cut afterwards." : ""));
   else if (const Made* rest = left(f); !parts.empty() && rest && *rest == made) {
     std::string question = fmt::format(
-        "With the tool off, it goes to the start of the unfinished part. Then it draws the rest {}.",
+        "With the tool off, the axes go to the start of the unfinished part. Then the rest is drawn {}.",
         in_pieces(parts.front()->all.size()));
     question += way_in_words(f, made->conversion.sequence, parts.front()->all.front().first_step);
     ask(f, what, std::move(made), std::move(parts), std::move(question));
   }
   if (!asked_.open) return;
   static constexpr std::array<std::array<std::string_view, 2>, 3> words{
-      {{"Cut the drawing?", "Cut"}, {"Go on with the drawing?", "Go on"}, {"Trace the frame?", "Trace"}}};
+      {{"Cut the drawing?", "Cut"}, {"Resume the drawing?", "Resume"}, {"Trace the frame?", "Trace"}}};
   const auto& [title, yes] = words[static_cast<std::size_t>(asked_.what)];
   const Dialog dialog_of{.title = title, .sentences = asked_.question, .yes = yes, .moving = true};
   if (dialog(f.ui, "drawing/ask_cut", asked_.open, dialog_of) == Answer::yes) cut(f);
 }
 
-/// While the question stood, a stop may have come or another run may have begun.
+/// Cuts the drawing, unless a stop came or another run began while the question was open.
 void DrawingRun::cut(Frame& f) {
-  if (asked_.go_ahead.expired()) return f.toast(Severity::warn, "A stop came first. Nothing was begun.");
+  if (asked_.go_ahead.expired()) return f.toast(Severity::warn, std::string(nothing_started));
   const bool frame = asked_.what == What::frame;
   const std::string_view why =
       frame ? why_not_at_all(f, asked_.made.get()) : why_not_now(f, asked_.made.get());
   if (!why.empty()) return f.toast(Severity::warn, std::string(why));
   traces_ = frame;
-  if (!frame) {  // a frame is never resumed, and does not replace the rest of a cut
+  if (!frame) {  // a frame cannot be resumed, and does not replace the rest of a cut
     if (const Made* rest = left(f); rest && *rest != asked_.made) stopped_ = *rest;
     cut_ = asked_.made;
   }
@@ -305,11 +305,11 @@ void DrawingRun::cut(Frame& f) {
   }
 }
 
-void DrawingRun::describe_what_came(Frame& f) {
+void DrawingRun::report_outcome(Frame& f) {
   std::erase_if(begun_, [&f](const Begun& begun) {
     const IntentOutcome* outcome = begun.by->now().outcome_of(begun.id);
     if (!outcome || outcome->state == IntentState::pending) return false;
-    if (outcome->state != IntentState::done) f.toast(Severity::fault, begun.by->words_of(*outcome));
+    if (outcome->state != IntentState::done) f.toast(Severity::fault, begun.by->messages.words_of(*outcome));
     return true;
   });
 }

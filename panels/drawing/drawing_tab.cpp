@@ -62,7 +62,7 @@ void DrawingTab::draw_all(Frame& f) {
   draw_dialogs(f);
 }
 
-/// On a bus, whichever controller was in front.
+/// Takes dropped files; on a bus those of all its controllers.
 void DrawingTab::take_dropped(Frame& f) {
   const auto take = [&](Tab& tab) {
     for (const auto& path : tab.desk().take_dropped("drawing")) open(f, path);
@@ -77,7 +77,7 @@ drawing::Point DrawingTab::scale_of(const Frame& f) const {
   const auto units = [&](std::size_t direction) {
     if (draws_together(f) || direction >= wanted.axes.size()) return 1.0;
     const AxisId axis{static_cast<std::uint8_t>(options_.axes()[direction])};
-    return wanted.axes[direction].per_unit * from_steps(Steps(1), f.tab.unit(axis));
+    return wanted.axes[direction].per_unit * from_steps(Steps(1), f.tab.settings.unit(axis));
   };
   return {units(0), units(1)};
 }
@@ -114,7 +114,7 @@ PathSubject DrawingTab::subject_of(const Frame& f) {
   return subject;
 }
 
-/// Below the outline of a drawing that cannot be made yet: the missing options.
+/// Draws the missing options below the outline of a drawing that cannot be made yet.
 void DrawingTab::draw_why_outline(Frame& f, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect in{ImVec2(at.x + f.ui.px(16), at.y + f.ui.px(6)),
@@ -123,7 +123,7 @@ void DrawingTab::draw_why_outline(Frame& f, float width) {
   show(f.ui, {"drawing/outline", Kind::text, "Outline", job_.fault()}, in);
 }
 
-/// The chains stand below the picture, if there is room for both, or at least for the buttons of one chain.
+/// The chains are below the picture if both fit, or at least the buttons of the chosen chain.
 void DrawingTab::draw_picture(Frame& f, float width, float height) {
   const DrawingJob::Made* made = job_.made();
   const float chains = job_.outline()              ? why_outline_height
@@ -175,7 +175,7 @@ void DrawingTab::draw_pointer(Frame& f, const Rect& view) const {
 
 void DrawingTab::open(Frame& f, const std::filesystem::path& path) {
   ConversionOptions wanted = options_.wanted();
-  wanted.drawing_unit.clear();  // it belonged to another file
+  wanted.drawing_unit.clear();  // the unit belonged to another file
   job_.open(f, path, wanted);
 }
 
@@ -216,7 +216,7 @@ void DrawingTab::to_blocks(Frame& f) {
   f.show_panel("blocks");
 }
 
-/// The clicked point becomes 0, 0, or the clicked chain is chosen.
+/// Makes the clicked point 0, 0, or chooses the clicked chain.
 void DrawingTab::take_click() {
   const DrawingJob::Made* made = job_.made();
   const auto outline = job_.outline();
@@ -232,15 +232,15 @@ void DrawingTab::take_click() {
 
 void DrawingTab::ask_or_put(Frame& f, std::string text) {
   to_put_ = std::move(text);
-  asking_program_ = f.tab.desk().texts.edited(f.tab.desk().texts.chosen());
+  asking_program_ = f.tab.desk().programs.texts.edited(f.tab.desk().programs.texts.chosen());
   if (!asking_program_) put(f);
 }
 
 void DrawingTab::put(Frame& f) {
-  ProgramTexts& texts = f.tab.desk().texts;
+  ProgramTexts& texts = f.tab.desk().programs.texts;
   const DrawingJob::Made* made = job_.made();
   if (made && made->written.text == to_put_)
-    f.tab.desk().source.put(
+    f.tab.desk().programs.source.put(
         {std::make_shared<const sequence::Sequence>(made->conversion.sequence), made->written});
   texts.set_text(texts.chosen(), std::exchange(to_put_, {}));
   f.show_panel("program");

@@ -1,5 +1,5 @@
 #pragma once
-// A drawing file: its picture, its placement, the tool's work along it, and the resulting program. Ids:
+// The drawing tab: the picture of a drawing file, its placement, the tool, and the resulting program. Ids:
 // `drawing/open`, `drawing/to_blocks`, `drawing/to_program`, `drawing/frame`, `drawing/fit`,
 // `drawing/settings`, `drawing/view`, `drawing/pointer`, `drawing/outline`; facts: see DrawingFacts;
 // settings: see DrawingOptions; cutting: see DrawingRun.
@@ -36,8 +36,8 @@ class DrawingTab final : public gui::Panel {
   void draw_side(gui::Frame& frame, float height);
   void draw_run(gui::Frame& frame);
   void draw_dialogs(gui::Frame& frame);
-  /// The use a click asks for. The click waits while the drawing is worked out, which leaving a field by that
-  /// click may have started.
+  /// The use that a click asks for. The click waits while the drawing is worked out, which may have begun
+  /// because that click left a field.
   enum class Use : std::uint8_t { nothing, blocks, program, frame };
   void draw_use(gui::Frame& frame, Use use, std::string_view id, std::string_view label, float gap,
                 gui::ButtonOptions look);
@@ -49,8 +49,9 @@ class DrawingTab final : public gui::Panel {
   void take_click();
   [[nodiscard]] std::string_view why_not() const;
 
-  std::optional<Catalog> together_;  ///< of all controllers of the bus; none: this controller draws by itself
-  float run_height_ = 72;            ///< in the previous frame
+  std::optional<Catalog>
+      together_;  ///< catalog of all controllers of the bus; nullopt: this controller draws by itself
+  float run_height_ = 72;  ///< in the previous frame
   DrawingJob job_;
   DrawingOptions options_;
   DrawingRun run_;
@@ -62,7 +63,7 @@ class DrawingTab final : public gui::Panel {
   int opened_ = 0;  ///< DrawingJob::opened() of the options
   Use wanted_ = Use::nothing;
   bool asking_blocks_ = false, asking_program_ = false;
-  bool settings_ = false;  ///< without room for both, settings replace the picture
+  bool settings_ = false;  ///< settings replace the picture if both do not fit
 };
 
 }  // namespace hw::panels

@@ -69,7 +69,7 @@ void DrawingTool::put(const Frame& f, ConversionOptions& o) {
   describe_turned(f, o);
 }
 
-/// The sign of the numbers here is that shown for the axis.
+/// Numbers here have the sign that is shown for the axis.
 static double turned(double steps_in_mm, const KeptScale& kept) {
   return kept.opposite ? -steps_in_mm : steps_in_mm;
 }
@@ -165,7 +165,7 @@ bool DrawingTool::draw(Frame& f, const std::array<int, 2>& drawing_axes, ScaleFo
   section_title(ui, "Tool and speeds");
   list_axes(f, drawing_axes);
   const bool draws = axis_ >= 0 && std::find(axes_.begin(), axes_.end(), axis_) == axes_.end();
-  if (draws) axis_ = -1;  // the axis has since been chosen for drawing
+  if (draws) axis_ = -1;  // the axis was chosen for drawing since
   bool changed = draws;
   if (toggle_option(f, "drawing/own_routines", "Routines of my own", own_)) {
     if (own_) begin_routines(f, drawing_axes);
@@ -202,7 +202,7 @@ bool DrawingTool::draw_choices(Frame& f) {
   return changed;
 }
 
-/// Starts from the choices made so far.
+/// Begins routines with the choices made so far.
 void DrawingTool::begin_routines(const Frame& f, const std::array<int, 2>& drawing_axes) {
   if (!routines_[0].empty() || !routines_[1].empty()) return;
   ConversionOptions chosen;

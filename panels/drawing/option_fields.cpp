@@ -39,23 +39,23 @@ bool NumberOption::draw(Frame& f, std::string_view id, std::string_view label, d
                         std::string_view unit, int decimals) {
   const ImVec2 at = begin_option(f.ui, label, wrong_.empty() ? Tone::ink2 : Tone::fault);
   NumberOptions o;
-  o.tip = wrong_;  // below the field it would move the control being clicked
+  o.tip = wrong_;  // below the field the sentence would move the control being clicked
   o.range = {least, 1e9, decimals, unit};
   o.sentence_below = false;
   const NumberEvent event = number_field(f.ui, id, label, std::nullopt, field_, o);
   end_option(f.ui, at);
   if (!event.field.entered && !event.field.left) return false;
-  if (field_.text == shown_) {  // unedited: the value is more exact than its text
+  if (field_.text == shown_) {  // not edited; the value is more exact than its text
     if (shown_.empty()) field_.reset();
     return !std::exchange(wrong_, {}).empty();
   }
   const auto typed = field_.value();
   const bool emptied = field_.text.empty() && least <= 0;
-  // Invalid input keeps the previous value: nothing is converted by an unintended scale.
+  // Invalid input keeps the previous value, so that no drawing is converted with an unintended scale.
   if (emptied || (typed && *typed >= least && *typed <= o.range.max)) {
     wrong_.clear();
     value_ = emptied ? 0 : *typed;
-    if (emptied) field_.reset();  // empty is allowed, and not marked red
+    if (emptied) field_.reset();  // an empty field is allowed, and not marked red
     shown_ = field_.text;
   } else {
     wrong_ = wrong_number(label, field_.text, o.range);

@@ -1,6 +1,6 @@
 #pragma once
-// Rows of a settings column: a label, and the control beside it. Drawn at ImGui's cursor, which then stands
-// below.
+// Draws rows of a settings column: a label with a control beside it, at ImGui's cursor. The cursor is below
+// afterwards.
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -10,16 +10,16 @@
 
 namespace hw::panels {
 
-/// A number that takes effect once it is valid. Until then the previous value applies, and wrong() says what
-/// to correct.
+/// A number that takes effect when it is valid. Until then the previous value applies, and wrong() says how
+/// to correct the input.
 class NumberOption {
  public:
-  /// 0: none, or the controller's own.
+  /// The value; 0: none, or the controller's own.
   [[nodiscard]] double value() const { return value_; }
   /// "Tolerance: this is not a number."; empty: valid.
   [[nodiscard]] const std::string& wrong() const { return wrong_; }
   void set(double value, int decimals);
-  /// True: changed. May be empty unless `least` is above 0.
+  /// Returns true when the value has changed. The field may be empty unless `least` is above 0.
   bool draw(gui::Frame& frame, std::string_view id, std::string_view label, double least,
             std::string_view unit, int decimals = 6);
 
@@ -32,10 +32,10 @@ class NumberOption {
 /// wrong() of the first invalid option; empty: all are valid.
 std::string first_wrong(std::initializer_list<const NumberOption*> options);
 
-/// Draws the label; the cursor then stands at the control. Returns where the row begins.
+/// Draws the label. The cursor is at the control afterwards. Returns the begin of the row.
 ImVec2 begin_option(gui::Ui& ui, std::string_view label, gui::Tone tone = gui::Tone::ink2);
 void end_option(gui::Ui& ui, ImVec2 begun);
-/// True: changed.
+/// Returns true when it was switched.
 bool toggle_option(gui::Frame& frame, std::string_view id, std::string_view label, bool& value);
 
 }  // namespace hw::panels

@@ -2,13 +2,15 @@
 
 #include <cmath>
 
+#include "core/base/lengths.h"
+
 namespace hw::panels {
 
 using namespace gui;
 
 namespace {
 
-constexpr double mm_in_an_inch = 25.4, least = 1e-9;
+constexpr double least = 1e-9;
 
 bool is_in_inches(ScaleForm form) {
   return form == ScaleForm::steps_in_inch || form == ScaleForm::inches_per_step;
@@ -19,16 +21,16 @@ bool is_length(ScaleForm form) {
 }
 
 double shown_of(double steps_in_mm, ScaleForm form) {
-  const double steps = is_in_inches(form) ? steps_in_mm * mm_in_an_inch : steps_in_mm;
+  const double steps = is_in_inches(form) ? steps_in_mm * mm_per_inch : steps_in_mm;
   return is_length(form) && steps > 0 ? 1 / steps : steps;
 }
 
 double steps_in_mm_of(double shown, ScaleForm form) {
   const double steps = is_length(form) && shown > 0 ? 1 / shown : shown;
-  return is_in_inches(form) ? steps / mm_in_an_inch : steps;
+  return is_in_inches(form) ? steps / mm_per_inch : steps;
 }
 
-/// As few as show it to five digits that count.
+/// The fewest decimals that show the value to five significant digits.
 int decimals_for(double value) {
   constexpr int most = 12;
   int decimals = 3;

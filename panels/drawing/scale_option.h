@@ -1,5 +1,5 @@
 #pragma once
-// The scale of an axis, in the form that the user knows it: steps in a length, or the length of a step.
+// The scale of an axis, in the form that the user knows: steps in a length, or the length of a step.
 #include <cstdint>
 #include <string_view>
 
@@ -16,12 +16,12 @@ inline constexpr int scale_forms = 4;
 
 class ScaleOption {
  public:
-  /// Steps in a mm, whatever the form.
+  /// The steps in a mm, whatever the form.
   [[nodiscard]] double value() const { return steps_in_mm_; }
   [[nodiscard]] const NumberOption& field() const { return field_; }
   void set(double steps_in_mm, ScaleForm form);
   [[nodiscard]] ScaleForm form() const { return form_; }
-  /// True: changed.
+  /// Returns true when the scale has changed.
   bool draw(gui::Frame& frame, std::string_view id, std::string_view axis);
 
  private:

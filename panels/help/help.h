@@ -4,7 +4,7 @@
 
 namespace hw::panels {
 
-/// The sheet beside the desk, with the keyboard map and the manual.
+/// The help: a sheet beside the panels, with the keyboard map and the manual.
 class Help final : public gui::Sheet {
  public:
   void draw(gui::PageFrame& frame) override;

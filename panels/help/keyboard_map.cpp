@@ -15,7 +15,7 @@ using namespace gui;
 
 namespace {
 
-/// A key in a frame, like a keycap.
+/// Draws a key in a frame, like a keycap.
 void draw_key(Ui& ui, ImVec2 at, std::string_view keys) {
   const float width = std::ceil(text_width(ui, Face::body_bold, keys)) + ui.px(16);
   const Rect r{ImVec2(at.x, at.y + ui.px(4)), ImVec2(at.x + width, at.y + ui.px(28))};
@@ -44,28 +44,27 @@ constexpr Key in_terminal[] = {
 };
 
 constexpr std::string_view rules[] = {
-    "A jog key held for less than a quarter of a second moves one step; longer, the axis runs until you let "
-    "go.",
+    "Tap a jog key to move one step. Hold it for a quarter of a second or longer, and the axis runs until "
+    "you let go.",
     "Letting go, losing the window, changing the controller or Esc ends a held jog.",
-    "Tab and Shift Tab go from control to control, out of the program too; a cyan edge marks what moves "
-    "metal, and by keyboard it "
-    "needs two presses within two seconds.",
+    "Tab and Shift Tab go from control to control, out of the program too. A cyan edge marks a control that "
+    "moves metal: by keyboard it needs two presses within two seconds.",
     "While you type, the arrows move the caret and jog nothing. Esc stops everything all the same.",
-    "Esc in an open list or dialog closes it, stops everything, and says what it stopped.",
-    "This is no emergency stop: it needs this computer, the cable and a controller that listens. Wire a "
-    "switch that cuts the motor power.",
+    "Esc in an open list or dialog closes it, stops everything, and reports what was stopped.",
+    "Wire a switch that cuts the motor power. Esc is no emergency stop: it needs this computer, the cable "
+    "and a controller that listens.",
 };
 
 constexpr std::string_view pad_rules[] = {
     "A gamepad acts while it is armed, by the switch beside the jog buttons. Hold LB first, then push: a "
     "stick pushed before LB moves nothing.",
-    "It moves one axis at a time, in the direction pushed most, at the jog speed: a stick is on or off.",
-    "Everything that ends a held jog ends the gamepad's too. It is disarmed when the window loses the "
+    "A stick moves one axis at a time, in the direction pushed most, at the jog speed: it is on or off.",
+    "Whatever ends a held jog ends the gamepad's jog too. The gamepad is disarmed when the window loses the "
     "keyboard, when it is unplugged, and when it does not answer. If nothing on it changes for 2 s, its jog "
     "stops: let go, then push again.",
 };
 
-/// A row of 32: the framed key, its function, a hairline above.
+/// Draws a row of 32: the framed key, its function, a hairline above.
 void draw_row(Ui& ui, const Key& key, float width, int number) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddRectFilled(at, ImVec2(at.x + ui.px(width), at.y + ui.hair()),
@@ -102,7 +101,7 @@ void draw_keyboard_map(PageFrame& f, float width) {
   section_title(ui, "On a gamepad", {}, 48);
   for (const PadControl& pad : gamepad_map()) draw_row(ui, {pad.control, pad.does}, width, ++number);
   draw_rules(ui, pad_rules, width);
-  section_title(ui, "For every hand", {}, 48);
+  section_title(ui, "For keyboard, mouse and gamepad", {}, 48);
   draw_rules(ui, rules, width);
 }
 

@@ -3,7 +3,8 @@
 
 namespace hw::panels {
 
-/// The keys and the rules of manual operation, `help/1`, `help/2` ..., in a column of this logical width.
+/// Draws the keys and the rules of manual operation in a column of this logical width. Ids: `help/1`,
+/// `help/2` ...
 void draw_keyboard_map(gui::PageFrame& frame, float width);
 
 }  // namespace hw::panels

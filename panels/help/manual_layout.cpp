@@ -77,7 +77,7 @@ class ManualSetter {
     for (const std::string& line : block.code) {
       std::string_view rest = line;
       float x = inset;
-      do {  // longer lines continue in the next row, indented
+      do {  // a longer line continues in the next row, indented
         const std::size_t fits = code_fit(rest, face, out_.width - inset - x);
         out_.runs.push_back({x, y_, 0, face, Tone::ink, rest.substr(0, fits)});
         rest = rest.substr(fits);
@@ -120,7 +120,7 @@ class ManualSetter {
                      [](const ManualRun& a, const ManualRun& b) { return a.y < b.y; });
   }
 
-  /// Sets each row as a paragraph if the columns do not fit side by side.
+  /// Sets each row of the table as a paragraph, because the columns do not fit side by side.
   void set_stacked(const ManualBlock& block) {
     for (std::size_t r = 1; r < block.rows.size(); ++r) {
       const auto& row = block.rows[r];
@@ -167,7 +167,7 @@ class ManualSetter {
     float word = 0;
     const std::size_t links = out_.links.size();
     const std::vector<ManualWord>& words = words_of(line, type);
-    out_.links.resize(links);  // they are numbered when set
+    out_.links.resize(links);  // links are numbered when they are set
     for (const ManualWord& w : words) {
       word = w.space > 0 ? w.width : word + w.width;
       m.longest = std::max(m.longest, word);
@@ -185,7 +185,7 @@ class ManualSetter {
     row_ = row;
     float x = left;
     for (std::size_t i = 0; i < words.size();) {
-      std::size_t end = i + 1;  // of the words that must stand together
+      std::size_t end = i + 1;  // end of the words that must stay together
       float width = words[i].width;
       while (end < words.size() && words[end].space == 0) width += words[end++].width;
       if (x > left && x + words[i].space + width > right) x = left, y_ += row;
@@ -195,7 +195,7 @@ class ManualSetter {
     y_ += row;
   }
 
-  /// Words too long for a line continue on the next. Returns where the word ends.
+  /// Places a word. A word that is too long for a line continues on the next line. Returns its right end.
   float put(const ManualWord& word, float x, float left, float right, float row) {
     std::string_view rest = word.text;
     float width = word.width;
@@ -216,7 +216,7 @@ class ManualSetter {
     return x + width;
   }
 
-  /// Faces of different height are centred in the row.
+  /// Top of a face in the row. Faces of different height are centred.
   [[nodiscard]] float top_of(Face face) const { return y_ + std::floor((row_ - ui_.line(face)) / 2); }
 
   void add(const ManualWord& word, float x, float width, std::string_view text) {
@@ -225,7 +225,7 @@ class ManualSetter {
     last_link_ = word.link;
   }
 
-  /// Adjacent words in the same style form one run.
+  /// Whether the word continues the last run: adjacent words in the same style form one run.
   bool goes_on(const ManualWord& word, float x, std::string_view rest) {
     if (out_.runs.empty()) return false;
     ManualRun& last = out_.runs.back();
@@ -267,7 +267,7 @@ class ManualSetter {
     return words_;
   }
 
-  /// Each link of the page has its own number.
+  /// The number of a link. Each link of the page has a number of its own.
   int link_number(std::string_view target) {
     out_.links.push_back(target);
     return static_cast<int>(out_.links.size()) - 1;

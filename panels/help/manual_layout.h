@@ -1,6 +1,6 @@
 #pragma once
-// Layout of a manual page in a column: the position of each run of words. Made when the page or the column
-// changes, so that a frame only draws what is visible.
+// Lays out a manual page in a column: the position of each run of words. It is done when the page or the
+// column changes, so that a frame only draws the visible runs.
 #include <string_view>
 #include <vector>
 
@@ -11,7 +11,7 @@
 
 namespace hw::panels {
 
-/// Words of one kind on one line; pixels from the top left of the page.
+/// Words of the same style on a line; pixels from the top left of the page.
 struct ManualRun {
   float x, y, width;
   gui::Face face;

@@ -32,7 +32,7 @@ ManualTarget target_of(std::string_view s) {
   return {page, hash == s.npos ? std::string_view() : s.substr(hash + 1)};
 }
 
-/// The target is in the manual: other targets are only named.
+/// Whether the target is in the manual; other targets are shown as text.
 bool leads_somewhere(std::string_view target) {
   const ManualTarget to = target_of(target);
   return to.page.empty() ? !to.anchor.empty() : page_named(to.page) != nullptr;
@@ -89,7 +89,7 @@ void ManualReader::draw(PageFrame& f, std::string_view own) {
   if (!scroll_requested_) now_.scroll = ImGui::GetScrollY() / f.ui.scale;
 }
 
-/// The scroll range is that of the last drawing, so scrolling works one frame later.
+/// Scrolls one frame later, because the scroll range is that of the last frame.
 void ManualReader::follow_request(float scale) {
   if (!scroll_requested_ || (now_.page && layout_.width == 0)) return;
   scroll_requested_ = false;
@@ -142,7 +142,7 @@ void ManualReader::draw_page(PageFrame& f) {
   const float width = std::floor(ImGui::GetContentRegionAvail().x);
   if (layout_.width != width || layout_.scale != ui.scale) {
     layout_ = lay_out_manual(ui, text_, width);
-    scroll_requested_ = true;  // to its previous position, in the new scale
+    scroll_requested_ = true;  // scrolls to the previous position, in the new scale
   }
   gap(ui, 12);
   const ImVec2 at = ImGui::GetCursorScreenPos();

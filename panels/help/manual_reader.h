@@ -9,18 +9,18 @@
 
 namespace hw::panels {
 
-/// The manual, one page at a time, and its table of contents. `help/page/scripts` opens a page,
+/// Shows a page of the manual, or the table of contents. `help/page/scripts` opens a page,
 /// `help/heading/connect` is a heading of the page shown, `help/link/0` its first link.
 class ManualReader {
  public:
   /// `own`: the page of the controller in front, listed first; empty: none.
   void draw(gui::PageFrame& frame, std::string_view own);
-  /// "scripts", "scripts#read", "scripts.md#read", "#read" on the page shown; empty: the contents.
+  /// Opens "scripts", "scripts#read", "scripts.md#read", or "#read" on the page shown; empty: the contents.
   void open(std::string_view target);
   [[nodiscard]] bool can_go_back() const { return !before_.empty(); }
   void go_back();
   [[nodiscard]] bool shows_contents() const { return !now_.page; }
-  /// Of the page shown.
+  /// The title of the page shown.
   [[nodiscard]] std::string_view title() const;
 
  private:
@@ -37,10 +37,10 @@ class ManualReader {
 
   Place now_;
   std::vector<Place> before_;
-  ManualText text_;  ///< of the page shown
+  ManualText text_;  ///< text of the page shown
   ManualLayout layout_;
-  std::vector<std::string> titles_;  ///< of all pages
-  std::string requested_anchor_;     ///< to scroll to once the page is laid out
+  std::vector<std::string> titles_;  ///< titles of all pages
+  std::string requested_anchor_;     ///< anchor to scroll to when the page is laid out
   bool scroll_requested_ = false;
 };
 

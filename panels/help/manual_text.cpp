@@ -57,7 +57,7 @@ std::optional<ItemParts> item_at(std::string_view line) {
   return ItemParts{std::string(line.substr(0, digits + 1)), line.substr(digits + 2)};
 }
 
-/// Reads lines in order; each belongs to the open block or opens one.
+/// Reads lines in order. Each line belongs to the open block or opens a block.
 class BlockReader {
  public:
   void take(std::string_view line) {
@@ -140,7 +140,7 @@ class BlockReader {
     block.mark = item.mark;
     gathered_ = item.rest;
   }
-  /// Continues the open paragraph or item; else begins a paragraph.
+  /// Continues the open paragraph or item, or begins a paragraph.
   void go_on(std::string_view words) {
     if (gathered_.empty()) open(BlockKind::paragraph);
     if (!gathered_.empty()) gathered_ += ' ';

@@ -1,5 +1,6 @@
 #pragma once
-// A manual page as headings, paragraphs, lists, tables and code: the Markdown that the manual uses. No ImGui.
+// Parses a manual page into headings, paragraphs, lists, tables and code: the Markdown that the manual uses.
+// No ImGui.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -7,7 +8,7 @@
 
 namespace hw::panels {
 
-/// A piece of a line in one style.
+/// A piece of a line in a single style.
 struct ManualSpan {
   enum class Kind : std::uint8_t { plain, strong, code, link };
   Kind kind = Kind::plain;
@@ -22,8 +23,8 @@ struct ManualBlock {
   Kind kind = Kind::paragraph;
   int level = 0;                                   ///< of a heading, from 1; of an item, its indentation
   std::string mark = {};                           ///< of an item: "1." or a dot; of a heading: its anchor
-  ManualLine line = {};                            ///< of all but tables and code
-  std::vector<std::string> code = {};              ///< its lines
+  ManualLine line = {};                            ///< text of all blocks but tables and code
+  std::vector<std::string> code = {};              ///< lines of code
   std::vector<std::vector<ManualLine>> rows = {};  ///< of a table; the first row holds its titles
 };
 using BlockKind = ManualBlock::Kind;

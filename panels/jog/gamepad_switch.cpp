@@ -10,7 +10,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// The gamepad: its body, the cross at the left and two buttons at the right.
+/// Draws a gamepad: its body, the cross at the left and two buttons at the right.
 void draw_sign(const Ui& ui, ImVec2 centre, ImU32 colour, ImU32 ground) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 c(std::floor(centre.x), std::floor(centre.y));
@@ -34,9 +34,10 @@ void draw_gamepad_switch(Frame& f, ImVec2 at, float side) {
   if (!pad.present()) return;
   const bool armed = pad.armed();
   const Path value("{}, {}", armed ? "armed" : "off", pad.name());
-  const Path tip("{}. {}", pad.name(),
-                 armed ? "Disarms it."
-                       : "Arms it: while LB is held, a stick jogs. B stops. Leaving the window disarms it.");
+  const Path tip(
+      "{}. {}", pad.name(),
+      armed ? "Disarms it."
+            : "Arms the gamepad: while LB is held, a stick jogs. B stops. Leaving the window disarms it.");
   ImGui::SetCursorScreenPos(at);
   const Touch t =
       touch(ui, {"jog/gamepad", Kind::toggle, "Gamepad", value, {}, false, tip}, ui.px(side, side));

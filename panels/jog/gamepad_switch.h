@@ -8,9 +8,9 @@
 
 namespace hw::panels {
 
-/// At `at`, a square of `side`, logical. Draws nothing without a gamepad.
+/// Draws a square of `side` (logical) at `at`. Draws nothing without a gamepad.
 void draw_gamepad_switch(gui::Frame& frame, ImVec2 at, float side);
-/// How the armed gamepad jogs.
+/// Says how the armed gamepad jogs.
 Path gamepad_hint(const gui::Frame& frame);
 
 }  // namespace hw::panels

@@ -20,15 +20,15 @@ namespace {
 
 constexpr double longest_silence_s = 1.3;  // until the watchdog acts for a hung program
 
-/// The guard also runs in the controller, but is only a guess: JogGuardFacts::doubt.
+/// `guard` runs in the controller too, but whether it works is not certain: JogGuardFacts::doubt.
 enum class EndsBy : std::uint8_t { controller, guard, watchdog, program, nothing };
 
-/// The weakest among all axes that the pad jogs.
+/// The weakest guarantee of all axes that the pad jogs.
 struct Guarantee {
   EndsBy by = EndsBy::controller;
-  Steps way{};                        ///< the longest; with nobody, per second
-  const DisplayUnit* unit = nullptr;  ///< of its axis
-  std::string_view axis = {};         ///< named where units differ
+  Steps way{};                        ///< the longest travel; if nothing ends it, per second
+  const DisplayUnit* unit = nullptr;  ///< unit of its axis
+  std::string_view axis = {};         ///< set where units differ
 };
 
 Guarantee of_axis(const Tab& tab, AxisId id) {
@@ -49,7 +49,7 @@ Guarantee guarantee_of(const Frame& f) {
   Guarantee all;
   for_each_axis(f, [&](const Tab& tab, AxisId id) {
     Guarantee one = of_axis(tab, id);
-    one.unit = &tab.units().length(id);
+    one.unit = &tab.settings.units().length(id);
     one.axis = tab.catalog().axes[id.index].name;
     if (!all.unit || one.by > all.by || (one.by == all.by && one.way > all.way)) all = one;
   });
@@ -77,7 +77,7 @@ Words words_on(EndsBy by) {
     case EndsBy::watchdog:
       return {"watchdog", "stops it",
               "A separate process stops a held jog: within 0.3 s if this program dies, within 1.3 s if it "
-              "hangs, and then the ramp. The distance is that of 1.3 s at this speed.",
+              "hangs, each followed by the ramp. The distance shown is that of 1.3 s at this speed.",
               Tone::ink};
     case EndsBy::program:
       return {"this program", "ends it", "The controller is emulated in this program, and ends with it.",
@@ -85,13 +85,13 @@ Words words_on(EndsBy by) {
     case EndsBy::nothing: break;
   }
   return {
-      "nobody", "stops it",
+      "no guard", "stops it",
       "Set both limits of the axis, so that the controller ends the jog there. Otherwise, if this program "
       "dies, a held jog runs on to a limit switch: its watchdog does not run, or does not reach this wire.",
       Tone::fault};
 }
 
-/// Touch of this area; ImGui's cursor stays where it is.
+/// The touch of this area. ImGui's cursor stays.
 Touch touch_at(Ui& ui, const About& about, const Rect& rect) {
   const ImVec2 cursor = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos(rect.min);
@@ -113,7 +113,7 @@ bool draw_guarantee(const Frame& f, const Rect& place) {
   const Path way("{}{}{}", guarantee.axis, guarantee.axis.empty() ? "" : " ", length.view());
   const std::string_view bound = guarantee.by == EndsBy::controller ? "within " : "";
   const Path whole = guarantee.by == EndsBy::guard     ? Path("{}, {}", way.view(), words.verb)
-                     : guarantee.by == EndsBy::nothing ? Path("{} a second", way.view())
+                     : guarantee.by == EndsBy::nothing ? Path("{} per second", way.view())
                                                        : Path("{}: {}{}", words.verb, bound, way.view()),
              longest("{} at this speed", whole.view());
   const bool opens = f.catalog.jog_guard.offered();

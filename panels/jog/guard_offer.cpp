@@ -18,7 +18,7 @@ namespace {
 
 constexpr float guard_words_width = 432;
 
-/// The devices that the pad jogs.
+/// Calls `act` for the devices that the pad jogs.
 template <class Act>
 void for_each_device(Frame& f, Act act) {
   if (!f.tab.bus) return act(f.tab);
@@ -42,7 +42,7 @@ bool some_axis_moves(Frame& f) {
 
 std::string_view guard_state(const Tab& tab) {
   switch (tab.now().jog_guard.state) {
-    case JogGuard::State::absent: return "It is not installed. The program memory is empty.";
+    case JogGuard::State::absent: return "The guard is not installed. The program memory is empty.";
     case JogGuard::State::no_room:
       return "Save and clear the program in the program memory if this guard is to replace it.";
     case JogGuard::State::installed: break;
@@ -75,7 +75,7 @@ void GuardOffer::draw(Frame& f) {
     wrapped(ui, Face::body, Tone::ink2, *part, guard_words_width);
     gap(ui, 8);
   }
-  const Path silence("It is installed, and stops a held jog after a silence of {} ms.",
+  const Path silence("The guard is installed, and stops a held jog after a silence of {} ms.",
                      f.now.jog_guard.silence.count());
   const std::string_view state = installed ? silence.view() : guard_state(weakest(f));
   const ImVec2 from = ImGui::GetCursorScreenPos();

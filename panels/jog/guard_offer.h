@@ -1,7 +1,7 @@
 #pragma once
-// The sheet behind the badge by the jog pad: a guard in the controller itself, its effect, where it is stored
-// and what is unknown about it. Installs and removes the guard on all devices that the pad jogs. Ids:
-// `jog/guard/state`, `jog/guard/install`, `jog/guard/remove`, `jog/guard/close`.
+// The sheet that the badge at the jog pad opens. It describes the guard in the controller itself: its effect,
+// where it is stored, and which facts are unknown. Installs and removes the guard on all devices that the pad
+// jogs. Ids: `jog/guard/state`, `jog/guard/install`, `jog/guard/remove`, `jog/guard/close`.
 #include <string_view>
 
 #include "gui/shell/frame.h"
@@ -11,7 +11,7 @@ namespace hw::panels {
 class GuardOffer {
  public:
   void open() { open_ = true; }
-  /// Call each frame; draws nothing while closed.
+  /// Call in each frame. Draws nothing while closed.
   void draw(gui::Frame& frame);
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/model/jog_choice.h"
 #include "gui/model/tab.h"
 #include "gui/model/tap_size.h"
 #include "gui/widgets/area.h"
@@ -25,7 +26,8 @@ using namespace gui;
 namespace {
 
 constexpr float steps_height = 32, around_words = 6;
-/// Of the buttons in a row: "1 step" is longer than those between, "10 000" the longest.
+/// Relative widths of the first and last button in a row: "1 step" is longer than the labels between, "10
+/// 000" is the longest.
 constexpr float first_share = 1.13f, last_share = 1.4f;
 
 struct Cell {
@@ -40,7 +42,7 @@ Cell cell_of(AxisId axis, Sign sign) {
   return {column, plus ? 0.0f : 2.0f, plus ? Icon::up : Icon::down};
 }
 
-/// Each device of a bus, and each of many axes, has a row with its own two buttons.
+/// Each device of a bus, and each of many axes, has a row with two buttons of its own.
 bool jogs_in_rows(const Frame& f) {
   return f.tier == Tier::narrow ? f.tab.bus && f.catalog.axes.size() == 1
                                 : f.tab.bus || f.catalog.axes.size() > 4;
@@ -57,7 +59,7 @@ bool in_pairs(const Frame& f) { return f.catalog.axes.size() > 4 && !jogs_in_row
 
 }  // namespace
 
-// Each part has its place from the column's measures; no text or choice in one part moves the next.
+// The measures of the column place each part, so that no text or choice in a part moves the next part.
 void Jog::draw(Frame& f) {
   follow_unit(f);
   const LeftColumn column = column_of(f);
@@ -78,7 +80,7 @@ void Jog::draw(Frame& f) {
   refused_tap_.draw(f, {origin_, ImVec2(origin_.x + f.ui.px(f.area.width), origin_.y + f.ui.px(height))});
 }
 
-/// Each device or axis has its jog buttons in its own row: the rest applies to all of them.
+/// Draws Stop and steps where each device or axis has its jog buttons in its own row.
 float Jog::draw_stop_and_steps(Frame& f, const LeftColumn& column) {
   const float stop = column.wide_stop;
   const float for_pad = f.ui.gamepad.present() ? stop + close_between : 0;
@@ -89,7 +91,7 @@ float Jog::draw_stop_and_steps(Frame& f, const LeftColumn& column) {
   return steps + steps_height + column.below_steps;
 }
 
-/// In a narrow window the strip of positions has no room for the unit, so it stands here together with the
+/// In a narrow window the unit does not fit into the strip of positions, so it is here together with the
 /// reason.
 void Jog::draw_title(Frame& f, const LeftColumn& column) {
   Ui& ui = f.ui;
@@ -111,7 +113,7 @@ void Jog::draw_title(Frame& f, const LeftColumn& column) {
   }
 }
 
-/// Why jogging is impossible, or how to jog; always reserves the same number of lines.
+/// Draws why jogging is impossible, or how to jog. The number of lines is always the same.
 void Jog::draw_reason(Frame& f, const Rect& place) {
   Ui& ui = f.ui;
   const std::string_view flaw = speed_.flaw();
@@ -130,7 +132,7 @@ void Jog::draw_reason(Frame& f, const Rect& place) {
   const int lines = std::max(1, static_cast<int>(place.height() / line));
   const Rect left = draw_power_switches(f, place, off);
   const float words_left = place.min.x + ui.px(20);
-  // One line beside switches stands in their middle.
+  // A single line beside switches is centred on them.
   const bool beside = off != 0 && text_width(ui, Face::small, why) <= left.max.x - words_left;
   const bool in_middle = beside || f.tier == Tier::narrow;
   const float shown = line * static_cast<float>(beside ? 1 : lines);
@@ -158,7 +160,7 @@ void Jog::draw_guarantee_here(Frame& f, const Rect& place) {
   if (draw_guarantee(f, place)) guard_.open();
 }
 
-/// For layouts whose title belongs to the speed.
+/// Draws the hint above the guarantee, for layouts whose title shows the speed.
 void Jog::draw_hint_over_guarantee(Frame& f, const Rect& place) {
   const float line = f.ui.line(Face::small), badge = place.min.y + line + f.ui.px(3);
   const OwnUnits own(f);
@@ -170,7 +172,7 @@ void Jog::draw_hint_over_guarantee(Frame& f, const Rect& place) {
   draw_guarantee_here(f, {ImVec2(place.min.x, badge), ImVec2(place.max.x, badge + f.ui.px(18))});
 }
 
-/// The most words with which every step fits its button.
+/// The longest form of words with which every step fits its button.
 template <class Width>
 int Jog::words_that_fit(const Frame& f, const Width& width) const {
   const auto fits = [&](int room) {
@@ -190,7 +192,7 @@ float Jog::draw_cross(Frame& f, const LeftColumn& column) {
   const float cell = column.cell, pitch = cell + close_between;
   const float left_over = f.area.width - (static_cast<float>(axes) + 1) * pitch + close_between;
   const float apart =
-      std::clamp(left_over, 0.0f, 16.0f);  // the columns beside the cross are set apart from it
+      std::clamp(left_over, 0.0f, 16.0f);  // space between the cross and the columns beside it
   for (std::size_t i = 0; i < axes; ++i)
     for (const Sign sign : {Sign::minus, Sign::plus}) {
       const AxisId axis{static_cast<std::uint8_t>(i)};
@@ -213,7 +215,7 @@ float Jog::draw_cross(Frame& f, const LeftColumn& column) {
   return below;
 }
 
-/// Many axes whose rows have no room for buttons: two side by side for each.
+/// Draws two buttons side by side for each of many axes, whose rows are too narrow for buttons.
 float Jog::draw_pairs(Frame& f) {
   const ImVec2 size(44, 40);
   const float pair = 2 * size.x + close_between + 12, row = size.y + 8;
@@ -250,7 +252,7 @@ void Jog::draw_button(Frame& f, AxisId axis, Sign sign, float x, float y, ImVec2
 void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
   Ui& ui = f.ui;
   ImGui::SetCursorScreenPos(ImVec2(origin_.x + ui.px(x), origin_.y + ui.px(y)));
-  const std::string_view tip = f.tab.desk().stop_times.tip();
+  const std::string_view tip = f.tab.desk().records.stop_times.tip();
   const Touch t =
       touch(ui, {"jog/stop", Kind::button, "Stop", {}, {}, false, tip, false, true}, ui.px(size.x, size.y));
   if (t.hovered || t.held) draw_fill(ui, t.rect, ui[t.held ? Tone::sel : Tone::hover]);
@@ -273,7 +275,7 @@ void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
     const Face face = again && size.x < 60 ? Face::small_bold : Face::body_bold;
     if (word.find(' ') != std::string_view::npos &&
         text_width(ui, face, word) >
-            t.rect.max.x - t.rect.min.x - ui.px(4)) {  // without the icon, in two lines
+            t.rect.max.x - t.rect.min.x - ui.px(4)) {  // the words are in two lines, without the icon
       line(middle - apart, face, word.substr(0, word.find(' ')));
       line(middle + apart, face, word.substr(word.find(' ') + 1));
     } else {
@@ -287,7 +289,7 @@ void Jog::draw_stop(Frame& f, float x, float y, ImVec2 size) {
   if (t.started) f.tab.stop_all();  // on the press, not on the release
 }
 
-/// In the empty cell beside Stop: the effect of a second press.
+/// Draws the effect of a second press in the empty cell beside Stop.
 void Jog::draw_stop_again(Frame& f, float x, float y, ImVec2 size) {
   const ImVec2 at(origin_.x + f.ui.px(x), origin_.y + f.ui.px(y));
   const Rect place{ImVec2(at.x, at.y + f.ui.px(size.y / 2) - f.ui.line(Face::small)),
@@ -303,7 +305,7 @@ void Jog::follow_unit(Frame& f) {
   const UnitNames names(f.tab);
   const std::string_view name = of_each ? names.view() : std::string_view(unit.name);
   const int many = f.tier == Tier::wide || f.catalog.axes.size() != 2 ? 5 : 4;
-  const auto chosen = [&](const JogStep& step) { return step.steps == f.tab.jog_step(); };
+  const auto chosen = [&](const JogStep& step) { return step.steps == f.tab.settings.profile.jog_step; };
   const bool lit = std::any_of(steps_.begin(), steps_.end(), chosen);
   units_differ_ = of_each != nullptr;
   const bool same = unit.real == steps_unit_.real && unit.per_step == steps_unit_.per_step;
@@ -312,30 +314,31 @@ void Jog::follow_unit(Frame& f) {
   steps_unit_.name = name;
   steps_many_ = many;
   steps_ = jog_steps(steps_unit_, 5);
-  // Never drop the chosen one.
+  // Never drop the chosen step.
   if (many < 5) steps_.erase(chosen(steps_.back()) ? steps_.begin() + 1 : steps_.end() - 1);
-  // A tap never moves by a step that no button shows: a step chosen in another unit is replaced by the
-  // smallest.
+  // A tap must not move by a step that no button shows, so a step chosen in another unit is replaced by the
+  // smallest step.
   if (std::none_of(steps_.begin(), steps_.end(), chosen))
-    f.tab.choose_jog(steps_.front().steps, f.tab.jog_speed());
+    choose_jog(f.tab, steps_.front().steps, f.tab.settings.profile.jog_speed);
 }
 
 std::string_view Jog::label_of(const JogStep& step, int room) const {
-  if (room >= 3 || (room >= 1 && &step == &steps_.back())) return step.label;  // one unit stands for all
+  if (room >= 3 || (room >= 1 && &step == &steps_.back()))
+    return step.label;  // one label with the unit is enough
   if (step.id != "step") return step.number;
   return room >= 2 ? std::string_view(step.label) : std::string_view("1 st.");
 }
 
 void Jog::draw_step(Frame& f, const JogStep& step, std::string_view label, float width) {
   ButtonOptions o;
-  o.on = step.steps == f.tab.jog_step();
+  o.on = step.steps == f.tab.settings.profile.jog_step;
   o.width = width;
   o.tip = units_differ_ && step.id != "step"
               ? "A tap moves each axis this far in its own unit, at least a step."
           : step.caption.empty() ? std::string_view("A tap moves this far.")
                                  : std::string_view(step.caption);
   if (button(f.ui, Path("jog/step/{}", step.id), label, o).clicked)
-    f.tab.choose_jog(step.steps, f.tab.jog_speed());
+    choose_jog(f.tab, step.steps, f.tab.settings.profile.jog_speed);
 }
 
 void Jog::draw_steps_column(Frame& f, float x, float width, float height) {

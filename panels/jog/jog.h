@@ -14,8 +14,8 @@
 
 namespace hw::panels {
 
-/// Hold to move, tap for one step. Up to four axes: a pad. If each axis has a row with its own two buttons:
-/// Stop and the steps.
+/// Jogs axes: hold a button to move, tap it for a step. Up to four axes have a pad. If each axis has a row
+/// with two buttons of its own, this panel shows Stop and the steps.
 class Jog final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;
@@ -26,7 +26,7 @@ class Jog final : public gui::Panel {
   void draw_guarantee_here(gui::Frame& frame, const gui::Rect& place);
   void draw_hint_over_guarantee(gui::Frame& frame, const gui::Rect& place);
   static void show_own_units(gui::Frame& frame, const OwnUnits& own, const gui::Rect& place);
-  // Each returns its height.
+  // Each function returns its height.
   [[nodiscard]] float draw_cross(gui::Frame& frame, const LeftColumn& column);
   [[nodiscard]] float draw_pairs(gui::Frame& frame);
   [[nodiscard]] float draw_stop_and_steps(gui::Frame& frame, const LeftColumn& column);
@@ -38,7 +38,7 @@ class Jog final : public gui::Panel {
   void draw_step(gui::Frame& frame, const gui::JogStep& step, std::string_view label, float width);
   template <class Width>
   [[nodiscard]] int words_that_fit(const gui::Frame& frame, const Width& width) const;
-  /// The label of a step that fits `room` (0: least) words.
+  /// The label of a step in as many words as `room` allows; 0: the fewest.
   [[nodiscard]] std::string_view label_of(const gui::JogStep& step, int room) const;
   void follow_unit(gui::Frame& frame);
 
@@ -47,7 +47,8 @@ class Jog final : public gui::Panel {
   TapCard refused_tap_;
   UnitChooser chooser_;
   std::vector<gui::JogStep> steps_;
-  gui::DisplayUnit steps_unit_;  ///< where units differ, that of unit_of_taps(), with the names of all
+  gui::DisplayUnit
+      steps_unit_;  ///< unit of the steps; where units differ, that of unit_of_taps() with the names of all
   bool units_differ_ = false;
   int steps_many_ = 0;
   ImVec2 origin_{};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/model/jog_choice.h"
 #include "gui/model/tap_size.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/popup.h"
@@ -20,7 +21,7 @@ namespace {
 constexpr float slider_height = 32, number_height = 26, speed_number_width = 112;  // whatever its text
 constexpr float speeds_width = 276, speeds_side = 12, speeds_row = 32;
 
-/// The speed of the axes without a requested speed.
+/// The controllers' own speed of the axes.
 struct OwnSpeed {
   bool alike = true;  ///< the same for all axes
   Pps speed{};        ///< the highest; 0: unknown yet
@@ -41,18 +42,18 @@ OwnSpeed own_speed(const Frame& f) {
   return known ? own : OwnSpeed();
 }
 
-/// The user's choices for all axes.
+/// The user's choice for all axes.
 struct ChosenSpeed {
-  bool any = false;   ///< else each is the controller's own
+  bool any = false;   ///< false: each axis has the controller's own speed
   bool alike = true;  ///< the same for all axes
-  Pps speed{};        ///< the highest that is used
+  Pps speed{};        ///< the highest speed used
 };
 ChosenSpeed chosen_speed(const Frame& f) {
   ChosenSpeed chosen;
   bool first = true;
   Pps before{};
   for_each_axis(f, [&](const Tab& tab, AxisId axis) {
-    const Pps speed = tab.jog_speed(axis);
+    const Pps speed = tab.settings.jog_speed(axis);
     chosen.any = chosen.any || speed.value > 0;
     chosen.alike = chosen.alike && (first || speed == before);
     chosen.speed = std::max(chosen.speed, held_speed(tab, axis));
@@ -62,20 +63,20 @@ ChosenSpeed chosen_speed(const Frame& f) {
 }
 
 bool by_itself(const Frame& f) { return !chosen_speed(f).any; }
-/// The units or the speeds of the axes differ: they are shown and typed for each.
+/// Whether the units or the speeds of the axes differ, so that speeds are shown and typed for each axis.
 bool by_axis(const Frame& f) {
   if (unit_of_taps(f.tab)) return true;
   const ChosenSpeed chosen = chosen_speed(f);
   return chosen.any ? !chosen.alike : !own_speed(f).alike;
 }
 
-constexpr std::string_view each_its_own = "each its own";
+constexpr std::string_view different_speeds = "each its own";
 
 NumberText speed_in_words(const Frame& f) {
   const ChosenSpeed chosen = chosen_speed(f);
   const Pps speed = chosen.any ? chosen.speed : own_speed(f).speed;
   NumberText words;
-  if (by_axis(f)) return words.append(each_its_own), words;
+  if (by_axis(f)) return words.append(different_speeds), words;
   if (speed.value <= 0) return words.append("not known yet"), words;
   return format_speed(speed, common_unit(f));
 }
@@ -92,7 +93,7 @@ double usual(const Frame& f) {
 
 void choose(Frame& f, double speed) {
   const double requested = std::clamp(std::round(speed), slowest(f), fastest(f));
-  f.tab.choose_jog_speed(Pps(requested == std::round(usual(f)) ? 0 : requested));
+  choose_jog_speed(f.tab, Pps(requested == std::round(usual(f)) ? 0 : requested));
 }
 
 double per_step(const DisplayUnit& unit) { return unit.real ? unit.per_step : 1; }
@@ -101,13 +102,13 @@ double per_step(const DisplayUnit& unit) { return unit.real ? unit.per_step : 1;
 
 namespace {
 
-/// Right-aligned; in less room without the unit, which the positions show too.
+/// Draws the number right-aligned. A narrow place gets it without the unit, which the positions show too.
 void draw_number_words(const Frame& f, const Rect& r, std::string_view words) {
   const Ui& ui = f.ui;
   const auto fits = [&](std::string_view s) { return text_width(ui, Face::body_bold, s) <= r.width(); };
   NumberText brief;
   const Pps speed = by_itself(f) ? own_speed(f).speed : chosen_speed(f).speed;
-  if (!fits(words) && words != each_its_own && speed.value > 0)
+  if (!fits(words) && words != different_speeds && speed.value > 0)
     brief = format_brief_speed(speed, common_unit(f));
   const std::string_view shown = brief.view().empty() ? words : brief.view();
   const float width = std::min(r.width(), std::ceil(text_width(ui, Face::body_bold, shown)));
@@ -129,8 +130,8 @@ void JogSpeed::draw_slider(Frame& f, float width) {
                                : "Speed while held: each axis has its own. Drag to choose one for all.";
   if (unit_of_taps(f.tab))
     o.tip =
-        "Speed while held, of all axes: as many steps a second. Click the words beside it to choose it for "
-        "each axis in its own unit.";
+        "Speed while held, in steps per second, the same for all axes. Click the words beside it to choose a "
+        "speed for each axis in its own unit.";
   o.value_text = words;
   o.width = width;
   double speed = by_itself(f) ? o.normal : chosen_speed(f).speed.value;
@@ -146,7 +147,7 @@ void JogSpeed::begin_typing(Frame& f) {
   type_into(f.ui, "jog/speed/field");
 }
 
-/// The number at the right end of its place; a click turns it into a field.
+/// Draws the number at the right end of its place. A click turns it into a field.
 void JogSpeed::draw_number(Frame& f, ImVec2 at, float width, float height) {
   Ui& ui = f.ui;
   ImGui::SetCursorScreenPos(at);
@@ -171,7 +172,7 @@ void JogSpeed::draw_number(Frame& f, ImVec2 at, float width, float height) {
   if (t.clicked && !by_axis(f)) begin_typing(f);
 }
 
-/// "X [12.000] mm/s  Reset", a row for each axis.
+/// Draws a row for each axis: "X [12.000] mm/s  Reset".
 void JogSpeed::draw_axes(Frame& f, const Touch& opener) {
   int axes = 0;
   for_each_axis(f, [&](const Tab&, AxisId) { ++axes; });
@@ -195,7 +196,7 @@ void JogSpeed::draw_axis(Frame& f, Tab& tab, AxisId axis, NumberField& field) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const std::string& name = tab.catalog().axes[axis.index].name;
-  const DisplayUnit& unit = tab.units().length(axis);
+  const DisplayUnit& unit = tab.settings.units().length(axis);
   const double k = per_step(unit);
   draw_text_line(ui, at.x + ui.px(speeds_side), at.x + ui.px(56), at.y + ui.px(speeds_row / 2),
                  Face::body_bold, ui[Tone::ink], name);
@@ -210,13 +211,14 @@ void JogSpeed::draw_axis(Frame& f, Tab& tab, AxisId axis, NumberField& field) {
   const double speed = held_speed(tab, axis).value;
   const NumberEvent typed = number_field(ui, Path("jog/speed/{}", name), Path("Speed while held, {}", name),
                                          speed > 0 ? std::optional(speed * k) : std::nullopt, field, o);
-  if (typed.committed) tab.choose_jog_speed(axis, Pps(std::round(typed.value / k)));
+  if (typed.committed) tab.settings.choose_jog_speed(axis, Pps(std::round(typed.value / k)));
   ImGui::SetCursorScreenPos(ImVec2(at.x + ui.px(204), at.y + ui.px(2)));
   ButtonOptions reset{.style = ButtonStyle::quiet, .width = 60, .height = 28};
-  reset.tip = tab.jog_speed().value > 0 ? "As chosen for all axes." : "The controller's own.";
-  reset.disabled = tab.profile.axes[axis.index].jog_speed.value > 0 ? "" : "It has no speed of its own.";
+  reset.tip = tab.settings.profile.jog_speed.value > 0 ? "As chosen for all axes." : "The controller's own.";
+  reset.disabled =
+      tab.settings.profile.axes[axis.index].jog_speed.value > 0 ? "" : "The axis has no speed of its own.";
   if (button(ui, Path("jog/speed/{}/reset", name), "Reset", reset).clicked) {
-    tab.choose_jog_speed(axis, Pps());
+    tab.settings.choose_jog_speed(axis, Pps());
     field.reset();
   }
 }
@@ -233,7 +235,7 @@ void JogSpeed::draw_field(Frame& f, float width, float height) {
   o.tip = "Enter takes it.";
   const NumberEvent e = number_field(f.ui, "jog/speed/field", "Speed while held", std::nullopt, field_, o);
   if (e.entered || e.committed) choose(f, e.value / k);
-  if (e.field.entered && !e.entered) {  // invalid: to be corrected in the field
+  if (e.field.entered && !e.entered) {  // the number is invalid, and the user must correct it
     type_into(f.ui, "jog/speed/field");
     was_typing_ = false;
     return;

@@ -1,6 +1,6 @@
 #pragma once
-// Speed of a held jog: a slider for all axes, and behind its number a field for exact values, or one for each
-// axis where their units or speeds differ.
+// Shows the speed of a held jog: a slider for all axes, and a number that opens a field for exact values, or
+// a field for each axis where units or speeds differ.
 #include <vector>
 
 #include "gui/model/units_format.h"
@@ -11,11 +11,11 @@ namespace hw::panels {
 
 class JogSpeed {
  public:
-  /// `roomy`: the words stand over the slider, else beside it.
+  /// `roomy`: the words are above the slider, else beside it.
   void draw(gui::Frame& frame, bool roomy);
-  /// Draws all of it in one line, at the cursor.
+  /// Draws it in one line, at the cursor.
   void draw_line(gui::Frame& frame, float width);
-  /// Why the typed speed is invalid; empty: valid, or none typed.
+  /// Why the typed speed is invalid; empty: it is valid, or none is typed.
   [[nodiscard]] std::string_view flaw() const { return typing_ ? field_.sentence : std::string_view(); }
 
  private:
@@ -27,7 +27,7 @@ class JogSpeed {
   void begin_typing(gui::Frame& frame);
 
   gui::NumberField field_;
-  std::vector<gui::NumberField> fields_;  ///< of the axes
+  std::vector<gui::NumberField> fields_;  ///< fields of the axes
   bool typing_ = false, was_typing_ = false;
 };
 

@@ -10,34 +10,35 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// The controllers' own unit: no word if some count pulses and others counts.
+/// The controllers' own unit. It has no word if some axes count pulses and others counts.
 const DisplayUnit& counted_by_all(const Frame& f) {
   static const DisplayUnit mixed{"", 1, 0, false};
-  const DisplayUnit& first = f.tab.units().counted(AxisId{0});
+  const DisplayUnit& first = f.tab.settings.units().counted(AxisId{0});
   bool same = true;
-  for_each_axis(
-      f, [&](const Tab& tab, AxisId axis) { same = same && tab.units().counted(axis).name == first.name; });
+  for_each_axis(f, [&](const Tab& tab, AxisId axis) {
+    same = same && tab.settings.units().counted(axis).name == first.name;
+  });
   return same ? first : mixed;
 }
 
 }  // namespace
 
 const DisplayUnit& common_unit(const Frame& f) {
-  const DisplayUnit& unit = f.tab.units().length(AxisId{0});
+  const DisplayUnit& unit = f.tab.settings.units().length(AxisId{0});
   bool same = unit.real;
   for_each_axis(f, [&](const Tab& tab, AxisId axis) {
-    const DisplayUnit& other = tab.units().length(axis);
+    const DisplayUnit& other = tab.settings.units().length(axis);
     same = same && other.real && other.name == unit.name && other.per_step == unit.per_step;
   });
   return same ? unit : counted_by_all(f);
 }
 
 Pps held_speed(const Tab& tab, AxisId axis) {
-  const Pps chosen = tab.jog_speed(axis);
+  const Pps chosen = tab.settings.jog_speed(axis);
   return chosen.value > 0 ? chosen : tab.now().axes[axis.index].own_speed;
 }
 
-/// "X 0.250 mm, others 1 step": what the first or the last axis shares with most stands once.
+/// "X 0.250 mm, others 1 step": the words that most axes share are written once.
 template <class Words>
 void OwnUnits::list(const Frame& f, std::string_view head, const Words& words_of) {
   NumberText first, last;
@@ -74,14 +75,14 @@ void OwnUnits::list(const Frame& f, std::string_view head, const Words& words_of
 OwnUnits::OwnUnits(const Frame& f) {
   if (!unit_of_taps(f.tab)) return;
   list(f, "A tap", [](const Tab& tab, AxisId axis) {
-    return format_with_unit(tap_of(tab, axis), tab.units().length(axis));
+    return format_with_unit(tap_of(tab, axis), tab.settings.units().length(axis));
   });
   list(f, " Held", [](const Tab& tab, AxisId axis) {
-    return format_speed(held_speed(tab, axis), tab.units().length(axis));
+    return format_speed(held_speed(tab, axis), tab.settings.units().length(axis));
   });
 }
 
-/// What has no room is left out from the first whole part on.
+/// The first part that does not fit, and all after it, are left out.
 void OwnUnits::append(std::string_view text) {
   full_ = full_ || size_ + text.size() > bytes_.size();
   if (full_) return;

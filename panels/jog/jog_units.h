@@ -1,5 +1,5 @@
 #pragma once
-// What the jog steps and speed apply to, and their display units.
+// The axes to which jog steps and speed apply, and the display units of these.
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace hw::panels {
 
-/// Acts on everything that steps and speed apply to: on a bus the axes of all its devices.
+/// Calls `act` for each axis to which steps and speed apply: on a bus the axes of all its devices.
 template <class Act>
 void for_each_axis(const gui::Frame& f, Act act) {
   const auto of = [&](gui::Tab& tab) {
@@ -21,14 +21,14 @@ void for_each_axis(const gui::Frame& f, Act act) {
   for (gui::Tab* member : f.tab.bus->members) of(*member);
 }
 
-/// For steps and speed of all axes: the real unit they have in common, without the sign of axes that count
+/// The unit for steps and speed of all axes: their common real unit, without the sign of axes that count
 /// against their steps; else the controllers' own unit.
 [[nodiscard]] const gui::DisplayUnit& common_unit(const gui::Frame& frame);
-/// Of a held jog: the user's choice, else the controller's own; 0: not known.
+/// The speed of a held jog: the user's choice, else the controller's own; 0: not known.
 [[nodiscard]] Pps held_speed(const gui::Tab& tab, AxisId axis);
 
-/// "A tap: X 0.250 mm, others 1.80\u00B0. Held: X 2.500 mm/s, others 18.00\u00B0/s." where the axes have
-/// units of their own that differ; else empty. On the stack.
+/// "A tap: X 0.250 mm, others 1.80\u00B0. Held: X 2.500 mm/s, others 18.00\u00B0/s." for axes with different
+/// units; else empty. On the stack.
 class OwnUnits {
  public:
   explicit OwnUnits(const gui::Frame& frame);

@@ -18,7 +18,7 @@ std::uint32_t powerless_axes(const Frame& f) {
   const std::size_t count = f.catalog.axes.size();
   std::uint32_t axes = 0;
   for (std::uint8_t i = 0; i < count; ++i)
-    if ((count <= 4 || f.tab.chosen_axis == AxisId{i}) && powerless(f.catalog, f.now, AxisId{i}))
+    if ((count <= 4 || f.tab.view.chosen_axis == AxisId{i}) && powerless(f.catalog, f.now, AxisId{i}))
       axes |= 1u << i;
   return axes;
 }
@@ -27,7 +27,7 @@ std::string_view powerless_words(const Frame& f, std::uint32_t axes) {
   if (axes == 0) return {};
   if (std::popcount(axes) > 1) return "Motor power is off. Switch on:";
   const std::string_view why = f.tab.why_not_move(AxisId{static_cast<std::uint8_t>(std::countr_zero(axes))});
-  return why.substr(0, why.find(". ") + 1);  // the remedy stands beside it
+  return why.substr(0, why.find(". ") + 1);  // the switch, which is the remedy, is beside it
 }
 
 Rect draw_power_switches(Frame& f, const Rect& place, std::uint32_t axes) {

@@ -10,20 +10,20 @@ namespace hw::panels {
 
 using namespace gui;
 
-/// Another action was taken since, or the refusal no longer holds.
+/// Whether the refusal no longer holds, or the user has done another action since.
 static bool is_over(const Tab& tab) {
-  const PastTravel& past = tab.tap_past_limit->past;
+  const PastTravel& past = tab.messages.tap_past_limit->past;
   const AxisState& axis = tab.now().axes[past.axis.index];
   return tab.jog.holding() || tab.now().axis_moves(past.axis.index) || !axis.travel_holds() ||
          !axis.travel.has(past.side) || axis.travel.end(past.side) != past.nearest;
 }
 
 void TapCard::draw(Frame& f, const Rect& pad) {
-  bool drawn = false;  // one at a time
+  bool drawn = false;  // one card at a time
   const auto draw_of = [&](Tab& tab) {
-    tab.look_at_pad();
-    if (tab.tap_past_limit && is_over(tab)) tab.tap_past_limit.reset();
-    if (drawn || !tab.tap_past_limit) return;
+    tab.messages.look_at_pad();
+    if (tab.messages.tap_past_limit && is_over(tab)) tab.messages.tap_past_limit.reset();
+    if (drawn || !tab.messages.tap_past_limit) return;
     draw(f, tab, pad);
     drawn = true;
   };
@@ -32,19 +32,20 @@ void TapCard::draw(Frame& f, const Rect& pad) {
 }
 
 void TapCard::draw(Frame& f, Tab& tab, const Rect& pad) {
-  const Tab::TapPastLimit& refused = *tab.tap_past_limit;
+  const TabMessages::TapPastLimit& refused = *tab.messages.tap_past_limit;
   const AxisId axis = refused.past.axis;
   const std::string& name = tab.catalog().axes[axis.index].name;
   const Path id("jog/{}/refused", name), nearest("jog/{}/nearest", name), about("Jog, {}", name);
   const Steps place = nearest_allowed(tab.now(), refused.past);
-  const Path label("Go to {}", format_with_unit(place, tab.unit(axis)).view());
+  const Path label("Go to {}", format_with_unit(place, tab.settings.unit(axis)).view());
   const std::array<Action, 1> actions = {
       Action{.id = nearest, .label = label, .disabled = tab.why_not_move(axis), .moving = true}};
   card_.begin(f, {.id = id, .about = about, .words = refused.words, .actions = actions}, pad);
   const RefusalTouch done = card_.end();
   if (done.action == 0)
-    tab.send_followed(intent::MoveTo(std::vector<AxisTarget>(1, {axis, place}), tab.jog_speed(axis)));
-  if (done.action == 0 || done.closed) tab.tap_past_limit.reset();
+    tab.send_followed(
+        intent::MoveTo(std::vector<AxisTarget>(1, {axis, place}), tab.settings.jog_speed(axis)));
+  if (done.action == 0 || done.closed) tab.messages.tap_past_limit.reset();
 }
 
 }  // namespace hw::panels

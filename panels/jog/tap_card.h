@@ -1,5 +1,5 @@
 #pragma once
-// Beside the pad, why a tap was refused that would have gone past a limit, with the way to the limit itself.
+// Shows beside the pad why a tap that leads past a limit was refused, and offers to move to the limit itself.
 #include "gui/shell/frame.h"
 #include "panels/refusal_card.h"
 

@@ -13,10 +13,10 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr std::size_t drawn_after = 500;    // new points of the trace
-constexpr int older_after_s = 5;            // of the trace: older parts are redrawn with their age
+constexpr std::size_t drawn_after = 500;  // the picture is redrawn after so many new points of the trace
+constexpr int older_after_s = 5;  // the trace is redrawn after this time, because its parts fade with age
 constexpr std::size_t most_coarse = 2500;   // points per frame
-constexpr std::size_t times_redrawn = 200;  // during a complete path
+constexpr std::size_t times_redrawn = 200;  // redraws during a complete path
 
 PathLook look_of(const Ui& ui) {
   PathLook look;
@@ -32,7 +32,7 @@ PathLook still_to_do(PathLook look, const Ui& ui) {
   return look;
 }
 
-/// While the user pans, the border of the picture stays out of view until the next picture is ready.
+/// The margin keeps the border of the picture out of view while the user pans.
 drawing::PathView with_margin(const drawing::PathView& view) {
   constexpr double share = 0.25, most_px = 256;
   const auto wider = [=](double px) { return px + 2 * std::floor(std::min(share * px, most_px)); };
@@ -53,7 +53,8 @@ ImVec2 on_screen(const Rect& in, drawing::Point px) {
   return ImVec2(in.min.x + within(px.x), in.min.y + within(px.y));
 }
 
-/// On a long path the done part advances in steps: over the whole path this makes no difference.
+/// Whether the done part is drawn far enough. On a long path it advances in steps that are too small to be
+/// seen.
 static bool as_far(const std::optional<std::size_t>& shown, const std::optional<std::size_t>& done,
                    const PathSubject& s) {
   if (!shown || !done) return shown == done;
@@ -92,7 +93,7 @@ void PathBackdrop::follow(Frame& f, const Wanted& w) {
              look,
              w.trace.points.size(),
              latest_source(w.trace)};
-  f.tab.desk().worker().run_short(
+  f.tab.desk().work.worker().run_short(
       [next, trace = w.trace, meant, to_do = still_to_do(look, f.ui), of_trace]() mutable {
         static const drawing::ToolPath none;
         const auto path_of = [](const SharedPath& path) { return path ? path.get() : &none; };

@@ -1,7 +1,7 @@
 #pragma once
-// A picture of path and trace, drawn by the worker somewhat larger than the view. Until a new one is ready,
-// the old picture is shown, shifted. While the view is turned, which no picture can follow, a few of the
-// lines are drawn instead.
+// Shows a picture of path and trace that the worker draws somewhat larger than the view. Until a new picture
+// is ready, the old picture is shown, shifted. While the user turns the view, which no picture can follow,
+// some of the lines are drawn instead.
 #include <memory>
 #include <optional>
 
@@ -18,14 +18,14 @@ class PathBackdrop {
     const drawing::ToolPath& trace;
     const drawing::PathView& view;
     std::optional<std::size_t> done;  ///< PathProgress::done()
-    bool turning = false;             ///< the view changes again in the next frame: begin nothing
+    bool turning = false;             ///< the view changes again in the next frame, so no picture is begun
   };
   /// Call once a frame.
   void follow(gui::Frame& frame, const Wanted& wanted);
-  /// Draws within `in`, the place of `view`. Allocates nothing.
+  /// Draws inside `in`, the place of `view`. Allocates nothing.
   void draw(gui::Frame& frame, const gui::Rect& in, const PathSubject& subject,
             const drawing::PathView& view) const;
-  /// Number of trace points in the picture shown by draw().
+  /// The number of trace points in the picture that draw() shows.
   [[nodiscard]] std::size_t traced(const drawing::PathView& view) const {
     return fits(view) ? shown_.traced : 0;
   }
@@ -35,7 +35,7 @@ class PathBackdrop {
   struct Shown {
     std::shared_ptr<const gui::Picture> picture;
     SharedPath path, commanded;
-    SharedPath coarse;           ///< of `path`
+    SharedPath coarse;           ///< coarse form of `path`
     drawing::PathView of, view;  ///< the view, and the picture's, which has a margin around it
     std::optional<std::size_t> done;
     gui::PathLook look;
@@ -52,7 +52,8 @@ class PathBackdrop {
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };
 
-/// Screen position of a pixel of the view within `in`. Far outside is clamped: ImGui uses floats.
+/// The screen position of a pixel of the view inside `in`. A point far outside is clamped, because ImGui uses
+/// floats.
 ImVec2 on_screen(const gui::Rect& in, drawing::Point px);
 
 }  // namespace hw::panels

@@ -23,7 +23,7 @@ constexpr float left_margin = 62, bottom_margin = 24, top_margin = 12, right_mar
 constexpr double points_within_px = 8, a_click_within_px = 4, zoom_step = 1.25;
 constexpr double degrees_a_px = 0.4, degrees_a_key = 15;
 
-/// Path, table, present position and trace; and the origin, if it is shown.
+/// The box around path, table, present position and trace, and the origin if it is shown.
 drawing::Box3 all_of(const Frame& f, const PathSubject& s, const drawing::ToolPath& trace) {
   drawing::Box3 box = trace.bounds;
   for (const auto& path : {s.path, s.commanded})
@@ -48,7 +48,7 @@ drawing::Box3 all_of(const Frame& f, const PathSubject& s, const drawing::ToolPa
 
 void PathCanvas::zoom(double factor) { view_.zoom({view_.width_px() / 2, view_.height_px() / 2}, factor); }
 
-/// No line of limit or grid goes through its words.
+/// The hint has a ground, so that no line of limit or grid goes through its words.
 static void draw_hint(Ui& ui, const Rect& in, std::string_view words) {
   const Rect place{ImVec2(in.min.x + ui.px(16), in.min.y + ui.px(8)), ImVec2(in.max.x - ui.px(8), in.max.y)};
   const float width = std::min(std::ceil(text_width(ui, Face::body, words)), place.width());
@@ -101,7 +101,7 @@ void PathCanvas::draw(Frame& f, std::string_view id, const PathSubject& subject,
   ImGui::SetCursorScreenPos(ImVec2(corner.x, whole.max.y));
 }
 
-/// The ruler on the left is as wide as its numbers, unless they would leave no room for the path.
+/// The ruler on the left is as wide as its numbers, unless they leave too little width for the path.
 Rect PathCanvas::view_in(const Ui& ui, const Rect& whole, bool flat, float row) const {
   constexpr float around_numbers = 14, most_of_it = 0.4f;
   const float numbers =
@@ -119,14 +119,14 @@ void PathCanvas::place(Frame& f, const PathSubject& s, const KnownLimits& limits
   all_ = all_of(f, s, trace_.path());
   if (with_limits_) all_ = with_limits(all_, limits);
   if (!fitted_ || flat != view_.flat() || ((another || resized) && !moved_)) {
-    const auto projection = flat ? drawing::Projection() : drawing::Projection(all_, looking_, equal);
+    const auto projection = flat ? drawing::Projection() : drawing::Projection(all_, direction_, equal);
     view_ = drawing::PathView(all_, projection, in.width(), in.height(), equal || !flat);
     fitted_ = true;
     fitted_to_ = s.path;
   }
-  // If the content has outgrown the distance of the eye, the eye steps back further.
+  // If the content has become larger than the distance of the viewpoint, the viewpoint moves back.
   if (!view_.projection().reaches(all_))
-    view_.look(drawing::Projection(all_, looking_, equal), all_.centre());
+    view_.look(drawing::Projection(all_, direction_, equal), all_.centre());
   view_.resize(in.width(), in.height());
 }
 
@@ -138,7 +138,7 @@ void PathCanvas::touch(Frame& f, std::string_view id, const PathSubject& s, cons
   const Path scale("{} {} a pixel",
                    format_number(view_.per_px().x, decimals_of(view_.per_px().x / 1000)).view(),
                    unit_name(s, directions_of(f, s.axes).all[0]));
-  const Path looked("turned {:.0f}, tilted {:.0f}, {}", looking_.turn, looking_.tilt, scale.view());
+  const Path looked("turned {:.0f}, tilted {:.0f}, {}", direction_.turn, direction_.tilt, scale.view());
   const std::string_view sentence = !s.words.empty() ? s.words : view_.flat() ? scale.view() : looked.view();
   const Touch t = gui::touch(ui, {id, Kind::slider, "Path", sentence}, ImVec2(in.width(), in.height()));
   const ImGuiIO& io = ImGui::GetIO();
@@ -164,7 +164,7 @@ void PathCanvas::drag(const Touch& t, const PathSubject& s) {
   for (const int button : {1, 2})
     if (t.hovered && ImGui::IsMouseClicked(button)) grip_.pans_with = button;
   if (grip_.pans_with != 0 && !ImGui::IsMouseDown(grip_.pans_with)) grip_.pans_with = 0;
-  // The motion up to the press is no drag.
+  // Mouse motion up to the press is not a drag.
   const bool drags = t.held && !t.started && ImGui::IsMouseDown(0);
   if ((!drags && grip_.pans_with == 0) || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
   if (grip_.pans_with != 0 || !s.axes.third || io.KeyShift) return pan(io.MouseDelta.x, io.MouseDelta.y);
@@ -177,18 +177,19 @@ void PathCanvas::pan(double right_px, double down_px) {
 }
 
 void PathCanvas::turn(double turn, double tilt) {
-  looking_ = {std::remainder(looking_.turn + turn, 360), std::clamp(looking_.tilt + tilt, -90.0, 90.0)};
-  view_.look(view_.projection().turned(looking_), grip_.pivot);
+  direction_ = {std::remainder(direction_.turn + turn, 360), std::clamp(direction_.tilt + tilt, -90.0, 90.0)};
+  view_.look(view_.projection().turned(direction_), grip_.pivot);
   grip_.turned = true;
 }
 
-/// Fits everything, seen from there.
-void PathCanvas::look(const drawing::Looking& from) {
-  looking_ = from;
+/// Fits the whole content, seen from that direction.
+void PathCanvas::look(const drawing::ViewDirection& from) {
+  direction_ = from;
   fit();
 }
 
-/// The point near the pointer, else the middle of the view, stays fixed while the view is turned.
+/// Sets the point that stays fixed while the view is turned: a point of the path near the pointer, else the
+/// middle of the view.
 void PathCanvas::take_pivot(const PathSubject& s, drawing::Point near_px, double within_px) {
   if (!s.axes.third) return;
   const auto hit = s.path ? nearest(*s.path, view_, near_px, within_px) : std::nullopt;
@@ -205,10 +206,10 @@ void PathCanvas::use_keys(const PathSubject& s) {
     if (c == '0') fit();
     if (c == '1') fit_limits();
     if (!space) continue;
-    if (c == 't' || c == 'T') look(drawing::looking::top);
-    if (c == 'f' || c == 'F') look(drawing::looking::front);
-    if (c == 's' || c == 'S') look(drawing::looking::side);
-    if (c == 'i' || c == 'I') look(drawing::looking::iso);
+    if (c == 't' || c == 'T') look(drawing::views::top);
+    if (c == 'f' || c == 'F') look(drawing::views::front);
+    if (c == 's' || c == 'S') look(drawing::views::side);
+    if (c == 'i' || c == 'I') look(drawing::views::iso);
   }
   if (!io.KeyAlt) return;
   const auto arrow = [&](int key, double right, double down) {
@@ -221,7 +222,7 @@ void PathCanvas::use_keys(const PathSubject& s) {
   arrow(GLFW_KEY_DOWN, 0, -1);
 }
 
-/// The end of a line if it is near, else the place on the path.
+/// The end of a line if it is near, else the point on the path.
 static Point3 snapped(const drawing::ToolPath& path, const drawing::PathHit& hit,
                       const drawing::PathView& view, drawing::Point px, double within) {
   const drawing::ToolPath::Run& run = path.runs[hit.run];
@@ -252,18 +253,18 @@ float PathCanvas::draw_standard_views(Frame& f, std::string_view id, float width
   constexpr float height = 32;
   struct View {
     std::string_view name, label, tip;
-    drawing::Looking from;
+    drawing::ViewDirection from;
   };
   static constexpr View views[] = {
-      {"top", "Top", "From the top. On the picture: T.", drawing::looking::top},
-      {"front", "Front", "From the front. On the picture: F.", drawing::looking::front},
-      {"side", "Side", "From the right side. On the picture: S.", drawing::looking::side},
-      {"iso", "Iso", "From a corner. On the picture: I.", drawing::looking::iso}};
+      {"top", "Top", "From the top. On the picture: T.", drawing::views::top},
+      {"front", "Front", "From the front. On the picture: F.", drawing::views::front},
+      {"side", "Side", "From the right side. On the picture: S.", drawing::views::side},
+      {"iso", "Iso", "From a corner. On the picture: I.", drawing::views::iso}};
   Ui& ui = f.ui;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   for (const View& v : views) {
     const ButtonOptions look{
-        .style = ButtonStyle::segment, .tip = v.tip, .height = 28, .on = looking_ == v.from};
+        .style = ButtonStyle::segment, .tip = v.tip, .height = 28, .on = direction_ == v.from};
     if (button(ui, Path("{}/{}", id, v.name), v.label, look).clicked) this->look(v.from);
     ImGui::SameLine(0, 0);
   }

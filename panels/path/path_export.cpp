@@ -28,7 +28,7 @@ struct Layer {
 };
 /// The data for a worker.
 struct Shown {
-  std::vector<Layer> layers;  ///< the bottom one first
+  std::vector<Layer> layers;  ///< the bottom layer first
   drawing::Projection projection;
   bool equal = true;
   std::string unit, about;
@@ -53,7 +53,7 @@ Shown shown_by(const Frame& f, const PathSubject& s, const PathCanvas& canvas) {
   const auto ends = [&](const std::array<KnownEnds, 3>& known) {
     return shared(lines_of(known, canvas.box(), flat));
   };
-  drawing::ToolPath home;  // each axis separately: the home positions of two form no frame
+  drawing::ToolPath home;  // each axis separately, because the home positions of two axes form no frame
   for (std::size_t n = 0; n < 3; ++n) {
     std::array<KnownEnds, 3> one;
     one[n] = limits.home[n];
@@ -76,7 +76,7 @@ Shown shown_by(const Frame& f, const PathSubject& s, const PathCanvas& canvas) {
           about_axes(all)};
 }
 
-/// Lines; in the unit of the axes if seen in plan.
+/// The lines as SVG, in the unit of the axes if seen in plan.
 std::string svg_of(const Shown& shown) {
   std::vector<drawing::ToolPath> flat(shown.layers.size());
   std::vector<std::string> colours(shown.layers.size());
@@ -112,7 +112,7 @@ Result<> write_pixels(const Shown& shown, const PathSheet& sheet, const std::fil
   return write_png(file.string(), picture.pixels, picture.width, picture.height);
 }
 
-/// `sheet`: of pixels; null: the file gets lines. Slow.
+/// Writes the file: pixels on `sheet`, or lines if it is null. Slow.
 Result<> write_picture(const Shown& shown, const PathSheet* sheet, const std::filesystem::path& file) {
   return sheet ? write_pixels(shown, *sheet, file) : write_file(file, svg_of(shown));
 }
@@ -133,18 +133,18 @@ void PathExport::draw_dialog(Frame& f, const PathSubject& subject, const PathCan
   const auto file = dialog_.draw(f.ui);
   if (!file) return;
   Desk& desk = f.tab.desk();
-  f.withdraw(&dialog_);  // why it was not saved before
+  f.withdraw(&dialog_);  // the message why the picture was not saved
   Shown shown = shown_by(f, subject, canvas);
   std::shared_ptr<const PathSheet> sheet;
   if (file->extension() == ".png")
     sheet = std::make_shared<PathSheet>(f, subject, box_of(shown), shown.projection, shown.equal);
-  desk.worker().run(
+  desk.work.worker().run(
       [shown = std::move(shown), sheet, file = *file] { return write_picture(shown, sheet.get(), file); },
       [&console = f.console, file = *file, attempt = &dialog_](Result<> written) {
         if (!written) return console.toast(Severity::fault, written.error().sentence(), attempt);
         console.toast(Severity::ok, fmt::format("Saved as {}.", file.string()));
       },
-      desk.alive());
+      desk.work.alive());
 }
 
 }  // namespace hw::panels

@@ -14,9 +14,9 @@ namespace hw::panels {
 
 class PathExport {
  public:
-  /// Draws at ImGui's cursor. `wordless`: as an icon.
+  /// Draws the button at ImGui's cursor. `wordless`: as an icon.
   void draw_button(gui::Frame& frame, std::string_view label, bool wordless, bool can);
-  /// The file then gets everything shown.
+  /// Draws the file dialog. The file gets the whole content of the canvas.
   void draw_dialog(gui::Frame& frame, const PathSubject& subject, const PathCanvas& canvas);
 
  private:

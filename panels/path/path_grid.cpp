@@ -1,4 +1,4 @@
-// The grid under a path: rulers for two axes, the floor for three.
+// Draws the grid of a path: rulers for two axes, the floor for three.
 #include <algorithm>
 #include <cmath>
 
@@ -63,15 +63,15 @@ void draw_rulers(const PathGround& g) {
   }
   draw_text_right(ui, ImVec2(in.max.x + ui.px(8), in.max.y + ui.px(4)), Face::small, ui[Tone::ink2],
                   axis_and_unit(g, 0));
-  const float upwards = whole.min.x + ui.px(8);  // it may reach into the picture
+  const float upwards = whole.min.x + ui.px(8);  // the name may reach into the picture
   draw_text_line(ui, upwards, upwards + in.width() / 2, in.min.y + ui.px(4), Face::small, ui[Tone::ink2],
                  axis_and_unit(g, 1));
 }
 
 float distance(ImVec2 a, ImVec2 b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-/// Rungs across an edge from `from` to `to`, along which one coordinate goes from `low` to `high`. Each is as
-/// long as `rung`, with its number at its beginning.
+/// Draws rungs across the edge from `from` to `to`, along which a coordinate goes from `low` to `high`. Each
+/// rung is as long as `rung`, with its number at its beginning.
 void draw_rungs(const PathGround& g, Point3 from, Point3 to, double low, double high, Point3 rung) {
   constexpr float apart = 70;
   Ui& ui = g.frame.ui;
@@ -79,7 +79,7 @@ void draw_rungs(const PathGround& g, Point3 from, Point3 to, double low, double 
   const float px = distance(g.at(from), g.at(to));
   if (!(high > low) || px < ui.px(apart) / 2) return;
   const double step = step_over(high - low, std::min(px, ui.px(20 * apart)), ui.px(apart));
-  // The numbers stand on the side without rungs.
+  // The numbers are on the side without rungs.
   const ImVec2 end = g.at(from + rung), begin = g.at(from);
   const float aside = end.x > begin.x + 1 ? -1.0f : end.x < begin.x - 1 ? 1.0f : -1.0f;
   for (double v = std::ceil(low / step) * step; v <= high; v += step) {
@@ -98,7 +98,7 @@ void draw_floor(const PathGround& g) {
   const double z = b.low.z;
   const auto lower = [&](Point3 a, Point3 c) { return g.at(a).y >= g.at(c).y; };
   const Point3 middle = b.centre();
-  // The edges nearer to the viewer, which are further down.
+  // The edges nearer to the viewer are further down.
   const bool near_y = lower({middle.x, b.low.y, z}, {middle.x, b.high.y, z});
   const bool near_x = lower({b.low.x, middle.y, z}, {b.high.x, middle.y, z});
   const double y = near_y ? b.low.y : b.high.y, far_y = near_y ? b.high.y : b.low.y;
@@ -127,7 +127,7 @@ float width_of_numbers(const Ui& ui, const drawing::PathView& view) {
 
 void draw_origin(const PathGround& g) {
   if (g.view.flat()) return;
-  constexpr double part = 0.25;  // of everything shown
+  constexpr double part = 0.25;  // part of the whole content
   const Frame& f = g.frame;
   const Point3 size = g.box.size();
   const double reach = std::max({size.x, size.y, size.z}) * part;

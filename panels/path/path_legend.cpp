@@ -27,7 +27,7 @@ struct Stroke {
   bool dashed = false;
 };
 
-/// A line with as many parts as strokes, and its meaning.
+/// Draws a line with as many parts as strokes, and its meaning.
 void entry(const Frame& f, std::initializer_list<Stroke> strokes, std::string_view words) {
   Ui& ui = f.ui;
   const ImVec2 p = ImGui::GetCursorScreenPos();
@@ -54,27 +54,27 @@ void draw_lines(const Frame& f, const ProgramPath& program, const PathSubject& s
   const std::string& tool = program.facts().tool;
   const std::string_view by = tool;
   line(Tone::ink, 2, tool.empty() ? Path("rehearsed") : Path("rehearsed, tool on ({})", by));
-  if (s.at_work) line(Tone::ink3, 1.5f, "still to do");
+  if (s.at_work) line(Tone::ink3, 1.5f, "remaining");
   if (!tool.empty()) line(Tone::ink3, 1, "rehearsed, tool off", true);
-  if (program.commanded()) line(Tone::trace, 1, "as it was meant");
+  if (program.commanded()) line(Tone::trace, 1, "as commanded");
   const auto aged = [&ui](std::size_t age) { return Stroke{trace_colour(ui, age), trace_width(ui, age)}; };
   const ImVec2 trace = ImGui::GetCursorScreenPos();
-  entry(f, {aged(3)}, "has been there, last 10 s");
+  entry(f, {aged(3)}, "trace, last 10 s");
   entry(f, {aged(2), aged(1), aged(0)}, "minute, 10 min, longer");
   show(ui, {"path/legend/trace", Kind::text, "Trace", "newest brightest"},
        {trace, ImVec2(ui.px(f.area.right() - 16), ImGui::GetCursorScreenPos().y)});
-  line(Tone::motion, 3, "line at work, or clicked");
+  line(Tone::motion, 3, "current or clicked line");
   const KnownLimits limits = limits_of(f, s);
   const auto any = [](const std::array<KnownEnds, 3>& all) {
     return std::any_of(all.begin(), all.end(), [](const KnownEnds& ends) { return ends.minus || ends.plus; });
   };
   if (any(limits.travel)) line(Tone::warn, 1, "limit of your own");
   if (any(limits.switches))
-    line(Tone::warn, 1, f.bench.present ? "limit switch on the bench" : "limit switch, as met");
-  if (any(limits.home)) line(Tone::ok, 1, f.bench.present ? "home, on the bench" : "home, as met");
+    line(Tone::warn, 1, f.bench.present ? "limit switch on the bench" : "limit switch, as found");
+  if (any(limits.home)) line(Tone::ok, 1, f.bench.present ? "home, on the bench" : "home, as found");
 }
 
-/// A long size stands below its name, because its unit is at the end.
+/// A long size is below its name, so that its unit at the end is not cut.
 void draw_size(Ui& ui, std::string_view size, float right) {
   constexpr std::string_view name = "Size";
   const float both = text_width(ui, Face::body, name) + text_width(ui, Face::body, size) + ui.px(16);
@@ -121,7 +121,7 @@ void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s
          {at, ImVec2(ui.px(f.area.right() - 16), ImGui::GetCursorScreenPos().y)});
   } else if (program.of_several()) {
     gap(ui, 8);
-    wrapped(ui, Face::body, Tone::ink2, "As if their programs began at once.");
+    wrapped(ui, Face::body, Tone::ink2, "As if their programs started together.");
   }
   if (facts.every > 1) {
     gap(ui, 8);
@@ -133,7 +133,7 @@ void draw_facts(const Frame& f, const ProgramPath& program, const PathSubject& s
   }
   if (!program.older()) return;
   gap(ui, 8);
-  wrapped(ui, Face::body, Tone::warn, "The text has been changed since. Simulate draws it again.");
+  wrapped(ui, Face::body, Tone::warn, path_is_older);
 }
 
 }  // namespace

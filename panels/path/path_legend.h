@@ -1,6 +1,6 @@
 #pragma once
-// The meaning of a path's lines, and the totals of the path. Ids: `path/size`, `path/way_on`, `path/way_off`,
-// `path/time`, `path/refusal`, `path/thinned`, `path/legend/trace`.
+// Draws the meaning of a path's lines, and the totals of the path. Ids: `path/size`, `path/way_on`,
+// `path/way_off`, `path/time`, `path/refusal`, `path/thinned`, `path/legend/trace`.
 #include "panels/path/program_path.h"
 
 namespace hw::panels {

@@ -27,7 +27,7 @@ Switches switches_of(const Direction& d) {
   };
   const BenchView& bench = d.tab->bench();
   if (!bench.present) {
-    const PositionTrace::Met& met = d.tab->desk().trace.met(d.axis);
+    const PositionTrace::Met& met = d.tab->desk().records.trace.met(d.axis);
     return {{in_units(met.minus), in_units(met.plus)}, {in_units(met.home), {}}};
   }
   const AxisState& axis = *d.state();
@@ -85,7 +85,7 @@ Box3 with_limits(Box3 all, const KnownLimits& limits) {
 
 namespace {
 
-/// The ends in each direction, else the extent of `all`: from lower to higher.
+/// The box of the ends in each direction, from lower to higher; where they are unknown, of `all`.
 Box3 room_of(const std::array<KnownEnds, 3>& ends, const Box3& all) {
   Box3 room;
   Point3 low = all.low, high = all.high;
@@ -97,7 +97,7 @@ Box3 room_of(const std::array<KnownEnds, 3>& ends, const Box3& all) {
   return room;
 }
 
-/// Each end as corners around a plane; with two axes the plane is a line.
+/// Calls `draw` for each end with the corners of its plane; with two axes the plane is a line.
 template <class Draw>
 void each_plane(const std::array<KnownEnds, 3>& ends, const Box3& all, bool flat, const Draw& draw) {
   const Box3 room = room_of(ends, all);
@@ -127,7 +127,7 @@ drawing::ToolPath lines_of(const std::array<KnownEnds, 3>& ends, const Box3& all
   return lines;
 }
 
-/// Two axes: a frame if all four ends are known, else lines across the view.
+/// For two axes: draws a frame if all four ends are known, else lines across the view.
 static void draw_ends(const PathGround& g, const std::array<KnownEnds, 3>& ends, ImU32 colour) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float hair = g.frame.ui.hair();
@@ -153,7 +153,8 @@ void draw_limits(const PathGround& g, const KnownLimits& limits) {
   const Ui& ui = g.frame.ui;
   draw_ends(g, limits.switches, ui[Tone::warn]);
   draw_ends(g, limits.travel, ui[Tone::warn]);
-  for (std::size_t n = 0; n < 3; ++n) {  // separately: the home positions of two axes form no frame
+  for (std::size_t n = 0; n < 3;
+       ++n) {  // each axis separately, because the home positions of two axes form no frame
     std::array<KnownEnds, 3> home;
     home[n] = limits.home[n];
     draw_ends(g, home, ui[Tone::ok]);

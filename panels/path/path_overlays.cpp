@@ -32,7 +32,7 @@ void draw_table(const PathGround& g) {
                                           g.frame.ui.hair());
 }
 
-/// Straight, or one axis after the other in their order.
+/// The way there: straight, or one axis after the other in their order.
 static std::array<Point3, 4> way_there(const PathGround& g, Point3 from, Point3 to) {
   std::array<Point3, 4> way{from, from, from, to};
   if (g.frame.catalog.can.interpolates) return way;
@@ -65,7 +65,7 @@ struct PathPart {
   std::optional<Point3> before = {}, behind = {};
 };
 
-/// Draws so few lines that a frame takes no time; two coincident points would spoil the line end.
+/// Draws few lines, so that a frame is not delayed. Two coincident points would spoil the line end.
 void stroke(const PathGround& g, const PathPart& part, Tone tone, float width) {
   constexpr std::size_t most_lines = 4000;
   ImDrawList* list = ImGui::GetWindowDrawList();
@@ -88,8 +88,8 @@ void draw_lit(const PathGround& g, PathProgress& progress) {
   const auto here = place_now(g.frame, g.subject);
   const auto reached = here ? progress.reached(g.view, *here, g.frame.ui.px(40)) : std::nullopt;
   std::size_t drawn = 0;
-  for (const PathProgress::Stretch& stretch : progress.lit())
-    for (std::size_t r = stretch.first; r < stretch.end && drawn < most_runs; ++r, ++drawn) {
+  for (const PathProgress::RunRange& range : progress.lit())
+    for (std::size_t r = range.first; r < range.end && drawn < most_runs; ++r, ++drawn) {
       const drawing::ToolPath::Run& run = g.subject.path->runs[r];
       const std::size_t end = run.first + run.size;
       const float width = (run.tool_on ? 3.0f : 1.5f) * g.frame.ui.hair();

@@ -10,7 +10,7 @@ using drawing::Point;
 using drawing::Point3;
 
 void PathProgress::follow(const PathSubject& s) {
-  Of of{s.path, s.lit, s.lit_count, s.lit_pass, s.at_work};
+  Key of{s.path, s.lit, s.lit_count, s.lit_pass, s.at_work};
   if (of == of_) return;
   of_ = std::move(of);
   lit_.clear();
@@ -39,11 +39,12 @@ std::pair<double, double> nearest_on(Point from, Point end, Point to) {
 
 }  // namespace
 
-/// Where it crosses itself the earlier one of two lines counts, until that has been left behind. While the
-/// tool is near none of those ahead, the others are searched from the next frame on: it may have begun anew.
+/// Where the path crosses itself, the earlier line counts until the tool has left it behind. If the tool is
+/// near no line ahead, the lines behind are searched from the next frame on, because the path may have begun
+/// anew.
 std::optional<PathProgress::Reached> PathProgress::reached(const drawing::PathView& view, Point3 here,
                                                            double within_px) {
-  constexpr std::size_t most_points = 4000;  // later frames search further
+  constexpr std::size_t most_points = 4000;  // later frames continue the search
   if (!done()) return std::nullopt;
   const drawing::ToolPath::Run &front = of_.path->runs[lit_.front().first],
                                &back = of_.path->runs[lit_.front().end - 1];
@@ -62,7 +63,8 @@ std::optional<PathProgress::Reached> PathProgress::reached(const drawing::PathVi
   return std::nullopt;
 }
 
-/// Of the lines between two of its points that lie about as near to the tool as the nearest, the first.
+/// The first of the lines between two points of the path that are about as near to the tool as the nearest
+/// line.
 std::optional<PathProgress::Reached> PathProgress::first_near(const Tool& tool, std::size_t from,
                                                               std::size_t end) const {
   constexpr double alike_px = 2;

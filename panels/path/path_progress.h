@@ -1,6 +1,6 @@
 #pragma once
-// The highlighted runs of a path, and the progress of the one being executed: runs before the reached place
-// are done, those after it still to do.
+// Tracks the highlighted runs of a path, and the progress of the run that is executed. Runs before the
+// reached place are done, runs after it are still to do.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -12,9 +12,9 @@ namespace hw::panels {
 class PathProgress {
  public:
   /// Consecutive runs of the path.
-  struct Stretch {
+  struct RunRange {
     std::size_t first = 0, end = 0;
-    bool operator==(const Stretch&) const = default;
+    bool operator==(const RunRange&) const = default;
   };
   /// A place on the path, and its first point after that place.
   struct Reached {
@@ -23,25 +23,25 @@ class PathProgress {
   };
   /// Call once a frame. Searches only when the highlighted runs change.
   void follow(const PathSubject& subject);
-  [[nodiscard]] const std::vector<Stretch>& lit() const { return lit_; }
-  /// Number of runs done; none: nothing is being executed, or the path does not show it.
+  [[nodiscard]] const std::vector<RunRange>& lit() const { return lit_; }
+  /// The number of runs done; nullopt: no run is executed, or the path does not show it.
   [[nodiscard]] std::optional<std::size_t> done() const {
     return of_.at_work && lit_.size() == 1 ? std::optional(lit_.front().first) : std::nullopt;
   }
-  /// Within what is at work, and back only when the tool has not been near what lies ahead; none: it is not
-  /// near it. Once a frame, behind follow().
+  /// The place that the tool has reached in the runs at work. It goes back only when the tool was not near
+  /// the lines ahead. nullopt: the tool is not near the path. Call once a frame, after follow().
   std::optional<Reached> reached(const drawing::PathView& view, drawing::Point3 here, double within_px);
 
  private:
-  /// The key of the stretches found.
-  struct Of {
+  /// The key of the runs found.
+  struct Key {
     std::shared_ptr<const drawing::ToolPath> path;
     int source = -1, count = 1;
     std::optional<int> pass;
     bool at_work = false;
-    bool operator==(const Of&) const = default;
+    bool operator==(const Key&) const = default;
   };
-  /// On the screen.
+  /// The tool on the screen.
   struct Tool {
     const drawing::PathView& view;
     drawing::Point at;
@@ -49,10 +49,11 @@ class PathProgress {
   };
   [[nodiscard]] std::optional<Reached> first_near(const Tool& tool, std::size_t from, std::size_t end) const;
 
-  Of of_;
-  std::vector<Stretch> lit_;
-  std::size_t reached_ = 0;   ///< point before the latest place reached
-  std::size_t searched_ = 0;  ///< while the tool is not near what lies ahead: search goes on there
+  Key of_;
+  std::vector<RunRange> lit_;
+  std::size_t reached_ = 0;  ///< point before the latest place reached
+  std::size_t searched_ =
+      0;  ///< the search continues at this point while the tool is not near the lines ahead
 };
 
 }  // namespace hw::panels

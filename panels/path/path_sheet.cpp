@@ -28,7 +28,7 @@ std::uint32_t over(std::uint32_t ground, std::uint32_t pixel) {
 
 }  // namespace
 
-/// Lines and text in ImGui's way, into pixels of its own.
+/// Draws lines and text as ImGui does, into pixels of its own.
 class PathSheet::Pen {
  public:
   explicit Pen(const Ui& ui) : font_(ui.font(Face::title)), list_(ImGui::GetDrawListSharedData()) {
@@ -40,7 +40,7 @@ class PathSheet::Pen {
   [[nodiscard]] float text_width(std::string_view s) const {
     return font_->CalcTextSizeA(font_->FontSize, FLT_MAX, 0, s.data(), s.data() + s.size()).x;
   }
-  /// Its left top corner, kept on the sheet.
+  /// `at` is the top left corner, moved so that the text stays on the sheet.
   void text(ImVec2 at, std::string_view s) {
     const ImVec2 kept(std::clamp(at.x, 0.0f, std::max(0.0f, width - text_width(s))),
                       std::clamp(at.y, 0.0f, height - line_height()));
@@ -113,7 +113,7 @@ void PathSheet::draw_rulers(Pen& pen) const {
   pen.text(ImVec2(row / 2, row / 3), names_[1]);
 }
 
-/// From the low corner, each with its range at its end.
+/// Draws the edges from the low corner, each with its range at its end.
 void PathSheet::draw_edges(Pen& pen) const {
   const auto put = [&](Point3 end, const std::string& name, double low, double high) {
     const ImVec2 to = at(end);

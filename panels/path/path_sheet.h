@@ -1,6 +1,6 @@
 #pragma once
-// The sheet of a saved picture: white, with rulers in the units of the axes; in perspective with the three
-// edges of its box, and their lengths.
+// The sheet of a saved picture. It is white, with rulers in the units of the axes, or in perspective with the
+// three edges of its box and their lengths.
 #include "gui/surface/pictures.h"
 #include "gui/surface/ui.h"
 #include "panels/path/path_subject.h"
@@ -10,7 +10,7 @@ namespace hw::panels {
 class PathSheet {
  public:
   static constexpr int width = 1600, height = 1200;
-  /// On the GUI thread, as it writes with the fonts of the frame. `box`: of everything shown.
+  /// GUI thread only, because it uses the fonts of the frame. `box`: around the whole content.
   PathSheet(const gui::Frame& frame, const PathSubject& subject, const drawing::Box3& box,
             const drawing::Projection& projection, bool equal);
   /// The part of the sheet where the path is drawn.

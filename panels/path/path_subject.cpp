@@ -18,7 +18,7 @@ using drawing::Point3;
 
 const DisplayUnit& Direction::unit() const {
   static const DisplayUnit of_time{"s", 0.001, 2, true};
-  return tab ? tab->unit(axis) : of_time;
+  return tab ? tab->settings.unit(axis) : of_time;
 }
 
 const AxisState* Direction::state() const { return tab ? &tab->now().axes[axis.index] : nullptr; }
@@ -54,12 +54,12 @@ double& along(Point3& p, std::size_t direction) { return direction == 0 ? p.x : 
 
 Instant zero_of_time(const Tab& tab) {
   const Instant begun = tab.now().program.started_at;
-  return begun != Instant{} ? begun : const_cast<Tab&>(tab).desk().trace.first_at();
+  return begun != Instant{} ? begun : const_cast<Tab&>(tab).desk().records.trace.first_at();
 }
 
-/// Time advances as far as the axis has moved: at rest nothing is redrawn.
+/// Time advances only while the axis moves, so that nothing is redrawn at rest.
 static double seconds_now(Tab& tab) {
-  const auto& places = tab.desk().trace.places();
+  const auto& places = tab.desk().records.trace.places();
   return places.empty() ? 0 : std::max(0.0, seconds(places.back().at - zero_of_time(tab)));
 }
 

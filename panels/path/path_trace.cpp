@@ -41,15 +41,15 @@ float trace_width(const Ui& ui, std::size_t age) {
   return (age + 1 == TraceAges::count ? 2.0f : 1.0f) * ui.hair();
 }
 
-// ---- the way
+// ---- the trace
 
 namespace {
 
 using Place = PositionTrace::Place;
 
-PositionTrace& trace_of(Tab& tab) { return tab.desk().trace; }
+PositionTrace& trace_of(Tab& tab) { return tab.desk().records.trace; }
 
-/// The nth place kept, from 1; null: dropped, or not recorded yet.
+/// The nth recorded place, from 1; null: dropped, or not recorded yet.
 const Place* nth(Tab& tab, std::uint64_t n) {
   const auto& trace = trace_of(tab);
   const std::uint64_t gone = trace.count() - trace.places().size();
@@ -76,7 +76,7 @@ void PathTrace::begin(const Directions& all) {
   if (first_ == Instant::max()) first_ = {};
 }
 
-/// The next place has already been dropped.
+/// Whether the next place was already dropped.
 bool PathTrace::is_lost() const {
   return std::any_of(sources_.begin(), sources_.begin() + source_count_, [](const Source& s) {
     const PositionTrace& trace = trace_of(*s.tab);
@@ -84,8 +84,8 @@ bool PathTrace::is_lost() const {
   });
 }
 
-/// The source whose next place comes first, once the positions of all others at that time are known; null:
-/// none.
+/// The source with the earliest next place, if the positions of all other sources at that time are known;
+/// null: none.
 PathTrace::Source* PathTrace::soonest() {
   Source* soonest = nullptr;
   Instant at = Instant::max(), known = Instant::max();
@@ -98,7 +98,7 @@ PathTrace::Source* PathTrace::soonest() {
   return soonest && (source_count_ == 1 || at <= known) ? soonest : nullptr;
 }
 
-/// None: not all axes were recorded so early.
+/// The point at that time; nullopt: not all axes were recorded so early.
 std::optional<Point3> PathTrace::point(const Directions& all, Instant at) const {
   Point3 p;
   for (std::size_t n = 0; n < all.count; ++n) {
@@ -122,11 +122,10 @@ void PathTrace::add(const std::optional<Point3>& from, const std::optional<Point
   if (from && to && *from != *to) path_.go(*from, *to, true, static_cast<int>(seconds(at - first_)));
 }
 
-/// The end of a rest is distinct from the start of motion, for a view over time and for another axis that
-/// moved meanwhile.
+/// The end of a rest is a point of its own, for a view over time and for another axis that moved meanwhile.
 void PathTrace::take_next(const Directions& all, Source& s) {
   const Place *here = nth(*s.tab, s.taken), *next = nth(*s.tab, s.taken + 1);
-  Instant from = Instant::min();  // all sources were followed up to here
+  Instant from = Instant::min();  // all sources were followed up to this time
   for (std::size_t i = 0; i < source_count_; ++i)
     if (const Place* p = nth(*sources_[i].tab, sources_[i].taken)) from = std::max(from, p->at);
   auto begin = from >= of_.zero ? point(all, from) : std::nullopt;
@@ -140,9 +139,9 @@ void PathTrace::take_next(const Directions& all, Source& s) {
 }
 
 void PathTrace::follow(const Frame& f, const PathAxes& axes) {
-  constexpr std::size_t most_points = 200'000;  // then it restarts from the places kept
+  constexpr std::size_t most_points = 200'000;  // then the trace restarts from the places kept
   const Directions all = directions_of(f, axes);
-  Of of{axes, {}, {}, {}};
+  Key of{axes, {}, {}, {}};
   for (std::size_t n = 0; n < all.count; ++n) {
     const Direction& d = all.all[n];
     if (!d.tab) of.zero = zero_of_time(*all.all[1].tab);

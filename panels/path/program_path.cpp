@@ -31,7 +31,7 @@ struct Meant {
   drawing::SequenceAxes axes;
 };
 
-/// From the start of the rehearsal.
+/// The intended path, from the start of the rehearsal.
 Meant meant_in(std::shared_ptr<const sequence::Sequence> sequence, const Catalog& catalog,
                const TrackAxes& track, const Rehearsal& rehearsal) {
   Meant meant{std::move(sequence), {}};
@@ -58,10 +58,10 @@ Meant meant_in(std::shared_ptr<const sequence::Sequence> sequence, const Catalog
 
 // ---- content
 
-int ProgramPath::Part::started() const { return tab->desk().texts.start_of(slot); }
+int ProgramPath::Part::started() const { return tab->desk().programs.texts.start_of(slot); }
 
 const Rehearsals::Outcome* ProgramPath::Part::outcome() const {
-  return tab ? tab->desk().rehearsals.of(started()) : nullptr;
+  return tab ? tab->desk().programs.rehearsals.of(started()) : nullptr;
 }
 
 ProgramPath::Made ProgramPath::wanted_of(const Frame& f, const PathAxes& axes, PathTool tool) const {
@@ -74,7 +74,7 @@ ProgramPath::Made ProgramPath::wanted_of(const Frame& f, const PathAxes& axes, P
     while (n < wanted.count && wanted.parts[n].tab != tab) ++n;
     if (n == wanted.count) {
       Part& part = wanted.parts[wanted.count++];
-      part.tab = tab, part.slot = tab->desk().texts.chosen();
+      part.tab = tab, part.slot = tab->desk().programs.texts.chosen();
       const Rehearsals::Outcome* outcome = part.outcome();
       part.rehearsal = outcome && outcome->result ? outcome->number : 0;
     }
@@ -119,7 +119,8 @@ void ProgramPath::follow_drawn(const Frame& f) {
   if (!drawn_.rehearsal || !now.running || bus.begun != drawn_.sequence) return;
   step_at_work_ = now.step;
   if (drawn_.rehearsal->finished && now.percent > 0)
-    left_s_ = std::max(seconds_from(now.step, *drawn_.rehearsal) * 100 / now.percent - clock_.at_it_s(), 0.0);
+    left_s_ = std::max(
+        seconds_from(now.step, *drawn_.rehearsal) * 100 / now.percent - clock_.time_at_step_s(), 0.0);
 }
 
 void ProgramPath::follow_refusal() {
@@ -138,22 +139,23 @@ bool ProgramPath::rehearsed() const {
 void ProgramPath::rehearse(const Frame& f) {
   if (!why_not_rehearse().empty()) return;
   passed_over_ = drawn_.number;
-  if (made_.count == 0) return f.tab.desk().rehearse(f.now, f.bench);
+  if (made_.count == 0) return f.tab.desk().programs.requests.rehearse(f.now, f.bench);
   for (std::size_t n = 0; n < made_.count; ++n)
-    made_.parts[n].tab->desk().rehearse(made_.parts[n].tab->now(), made_.parts[n].tab->bench());
+    made_.parts[n].tab->desk().programs.requests.rehearse(made_.parts[n].tab->now(),
+                                                          made_.parts[n].tab->bench());
 }
 
 bool ProgramPath::under_way() const {
   return std::any_of(made_.parts.begin(), made_.parts.begin() + made_.count,
-                     [](const Part& p) { return p.tab->desk().rehearsals.under_way(p.started()); });
+                     [](const Part& p) { return p.tab->desk().programs.rehearsals.under_way(p.started()); });
 }
 
 std::string_view ProgramPath::why_not_rehearse() const {
   bool any = false;
   for (std::size_t n = 0; n < made_.count; ++n) {
     const Desk& desk = made_.parts[n].tab->desk();
-    if (!desk.language()) return "This model has no rehearsal.";
-    any = any || !desk.texts.text(made_.parts[n].slot).empty();
+    if (!desk.programs.language()) return no_rehearsal;
+    any = any || !desk.programs.texts.text(made_.parts[n].slot).empty();
   }
   if (!any) return of_several() ? "Their programs are empty." : "The program is empty.";
   for (std::size_t n = 0; n < made_.count; ++n) {
@@ -197,15 +199,16 @@ void ProgramPath::work_out(Frame& f, const Directions& seen) {
   places_ = {};
   Meant meant;
   if (outcome) {
-    places_ = source_places(desk.language()->analyse(outcome->text, first.slot), first.slot);
-    const WrittenSequence* source = desk.source.of(outcome->text, desk.blocks, desk.language(), catalog);
+    places_ = source_places(desk.programs.language()->analyse(outcome->text, first.slot), first.slot);
+    const WrittenSequence* source =
+        desk.programs.source.of(outcome->text, desk.blocks, desk.programs.language(), catalog);
     if (source && made_.tool.own) take_tool_of(*source->sequence, catalog, axes);
     if (source && !axes.over_time) meant = meant_in(source->sequence, catalog, axes, *outcome->result);
   }
   keep_tool(catalog, axes);
   std::vector<DisplayUnit> units;
   for (const Direction& d : seen) units.push_back(d.unit());
-  desk.worker().run(
+  desk.work.worker().run(
       [ways = std::move(ways), axes, slot = first.slot, alone = outcome != nullptr,
        sources = places_.of_command, meant = std::move(meant)] {
         const auto shared = [](drawing::ToolPath&& path) {
@@ -237,7 +240,7 @@ void ProgramPath::work_out_drawn(Frame& f, const Directions& seen) {
   const Meant meant = axes.over_time ? Meant() : meant_in(drawn_.sequence, f.catalog, axes, *made_.drawn);
   std::vector<DisplayUnit> units;
   for (const Direction& d : seen) units.push_back(d.unit());
-  f.tab.desk().worker().run(
+  f.tab.desk().work.worker().run(
       [done = made_.drawn, axes, meant, count = drawn_.sequence->steps.size()] {
         std::vector<int> steps(count);
         std::iota(steps.begin(), steps.end(), 0);
@@ -295,7 +298,7 @@ void ProgramPath::take(Paths paths, const std::vector<DisplayUnit>& units) {
   path_ = std::move(paths.path), commanded_ = std::move(paths.commanded);
 }
 
-// ---- its text
+// ---- the text of the path
 
 const std::string* ProgramPath::text() const {
   const Rehearsals::Outcome* outcome = of_several() || made_.drawn ? nullptr : made_.parts[0].outcome();
@@ -306,11 +309,12 @@ bool ProgramPath::older() const {
   return !made_.drawn &&
          std::any_of(made_.parts.begin(), made_.parts.begin() + made_.count, [](const Part& part) {
            Desk& desk = part.tab->desk();
-           return desk.rehearsals.older_than_line(part.started(), desk.texts.text(part.slot)) >= 0;
+           return desk.programs.rehearsals.older_than_line(part.started(),
+                                                           desk.programs.texts.text(part.slot)) >= 0;
          });
 }
 
-/// Passes that the controller makes without a break are one run, so they cannot be distinguished.
+/// Passes that the controller makes without a break are a single run, so they cannot be distinguished.
 std::optional<int> ProgramPath::pass_of(std::size_t run) const {
   const std::vector<drawing::ToolPath::Run>& runs = path_->runs;
   const bool reported = std::any_of(runs.begin(), runs.end(), [&](const drawing::ToolPath::Run& r) {
@@ -325,9 +329,10 @@ int ProgramPath::source_at_work() const {
   if (!path_ || !rehearsed) return -1;
   const Part& part = made_.parts[0];
   Desk& desk = part.tab->desk();
-  const RunFollower::Place at = desk.follower.place();
+  const RunFollower::Place at = desk.programs.follower.place();
   if (!part.tab->now().link.connected() || at.slot != part.slot || at.command < 0) return -1;
-  if (desk.texts.held(at.slot).text != *rehearsed || ix(at.command) >= places_.of_command.size()) return -1;
+  if (desk.programs.texts.held(at.slot).text != *rehearsed || ix(at.command) >= places_.of_command.size())
+    return -1;
   int source = places_.of_command[ix(at.command)];
   const int line = places_.line_of(source);
   while (source > 0 && most_passes_[ix(source)] == 0 && places_.line_of(source - 1) == line) --source;
@@ -337,7 +342,7 @@ int ProgramPath::source_at_work() const {
 std::optional<int> ProgramPath::pass_at_work() const {
   const int source = source_at_work();
   if (made_.drawn || source < 0 || ix(source) >= most_passes_.size()) return std::nullopt;
-  const int pass = made_.parts[0].tab->desk().follower.place().pass - 1;
+  const int pass = made_.parts[0].tab->desk().programs.follower.place().pass - 1;
   return pass >= 0 && pass < most_passes_[ix(source)] ? std::optional(pass) : std::nullopt;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
-// The path of a program's latest rehearsal, computed by the worker, and its totals. On a bus: of the programs
-// of all controllers shown, as if started together, or of a drawing that they do together.
+// The path of a program's latest rehearsal, which the worker makes, and its totals. On a bus it is the path
+// of the programs of all controllers shown, as if started together, or of a drawing that they do together.
 #include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/device/track_path.h"
@@ -18,54 +19,59 @@
 
 namespace hw::panels {
 
+/// Shown while ProgramPath::older().
+inline constexpr std::string_view path_is_older = "The text has been changed since. Simulate draws it again.";
+
 class ProgramPath {
  public:
   struct Facts {
-    std::string size, way_on, way_off, time;  ///< empty: there is none
-    std::string tool;                         ///< what switches it: "DO5", "Z"; empty: it is always on
-    int every = 1;                            ///< one in this many places was kept
+    std::string size, way_on, way_off, time;  ///< empty: unknown
+    std::string tool;  ///< the output or axis that switches it: "DO5", "Z"; empty: it is always on
+    int every = 1;     ///< one in so many places was kept
   };
-  /// Call once a frame, for the chosen program. True: the program, axes or units have changed.
+  /// Call once a frame, for the chosen program. Returns true when the program, axes or units have changed.
   bool follow(gui::Frame& frame, const PathAxes& axes, PathTool tool);
-  /// Requests a rehearsal of the programs it shows.
+  /// Requests a rehearsal of the programs that the path shows.
   void rehearse(const gui::Frame& frame);
   [[nodiscard]] std::string_view why_not_rehearse() const;
   [[nodiscard]] bool under_way() const;
 
   [[nodiscard]] bool of_several() const { return made_.count > 1; }
-  /// Null: the path is of programs. Else the path is of a drawing done by the controllers of a bus together;
-  /// the newer of the two is shown. The sources of its path are steps.
+  /// The drawing that the controllers of a bus do together, if the path shows it; null: the path shows
+  /// programs. The newer of the two is shown. The sources of a drawing's path are steps.
   [[nodiscard]] const gui::DrawnTogether* drawn() const { return made_.drawn ? &drawn_ : nullptr; }
-  /// Of drawn(), while it runs; none: it does not, or unknown.
+  /// The time left of drawn() while it runs; nullopt: it does not run, or unknown.
   [[nodiscard]] std::optional<double> seconds_left() const { return left_s_; }
-  /// -1: of no single program.
+  /// The slot of the program; -1: the path is not that of a single program.
   [[nodiscard]] int slot() const { return made_.drawn ? -1 : made_.parts[0].slot; }
   [[nodiscard]] bool rehearsed() const;
-  /// Why the latest rehearsal came to nothing, as a sentence; empty: it did not.
+  /// The sentence why the latest rehearsal has no result; empty: it has.
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
-  /// Null: not rehearsed, not computed yet, or nothing moves. Its sources are places() of text().
+  /// The path; null: not rehearsed, not made yet, or nothing moves. Its sources are places() of text().
   [[nodiscard]] const std::shared_ptr<const drawing::ToolPath>& path() const { return path_; }
-  /// The intended path of the blocks or drawing that the program was written from; null: there are none.
+  /// The intended path of the blocks or drawing from which the program was written; null: there are none.
   [[nodiscard]] const std::shared_ptr<const drawing::ToolPath>& commanded() const { return commanded_; }
   [[nodiscard]] const Facts& facts() const { return facts_; }
   /// The rehearsed text; null: none, or several.
   [[nodiscard]] const std::string* text() const;
-  /// The text has changed since the rehearsal.
+  /// Whether the text has changed since the rehearsal.
   [[nodiscard]] bool older() const;
   [[nodiscard]] const SourcePlaces& places() const { return places_; }
-  /// How often the source of a run of path() was done before; none: the path does not show it.
+  /// How often the source of a run of path() was done before; nullopt: the path does not show it.
   [[nodiscard]] std::optional<int> pass_of(std::size_t run) const;
-  /// The source of path() being executed, or the last one before it in its line that has a run; -1: none.
+  /// The source of path() that is executed, or the last source before it in its line that has a run; -1:
+  /// none.
   [[nodiscard]] int source_at_work() const;
-  /// How often it was done before; none: not reported, or no run of path() shows it.
+  /// How often that source was done before; nullopt: not reported, or no run of path() shows it.
   [[nodiscard]] std::optional<int> pass_at_work() const;
-  /// As reported by the controllers that switch or lower the tool; none: always on, or not reported.
+  /// Whether the tool is on, as reported by the controllers that switch or lower it; nullopt: always on, or
+  /// not reported.
   [[nodiscard]] std::optional<bool> tool_on(const gui::Frame& frame) const;
   /// The rehearsal of the path; null: none, or several.
   [[nodiscard]] const Rehearsal* rehearsal() const;
 
  private:
-  /// One controller.
+  /// The part of a controller in the path.
   struct Part {
     gui::Tab* tab = nullptr;
     int rehearsal = 0, slot = -1;
@@ -73,7 +79,7 @@ class ProgramPath {
     [[nodiscard]] int started() const;  ///< the program that Run starts and Simulate tries
     [[nodiscard]] const gui::Rehearsals::Outcome* outcome() const;
   };
-  /// The inputs of the path: a change rebuilds it.
+  /// The inputs of the path. A change rebuilds it.
   struct Made {
     std::array<Part, 3> parts;
     std::size_t count = 0;
@@ -96,8 +102,8 @@ class ProgramPath {
   void take(Paths paths, const std::vector<gui::DisplayUnit>& units);
 
   Made made_;
-  gui::DrawnTogether drawn_;  ///< the bus's latest
-  int passed_over_ = 0;       ///< its number when the programs were asked for
+  gui::DrawnTogether drawn_;  ///< the latest drawing of the bus
+  int passed_over_ = 0;       ///< number of the drawing when the user asked for the programs
   StepClock clock_;
   std::optional<double> left_s_;
   std::string refusal_;
@@ -111,7 +117,7 @@ class ProgramPath {
   std::shared_ptr<int> alive_ = std::make_shared<int>(0);
 };
 
-/// "12.5 mm"; across several units there is no length.
+/// "12.5 mm"; a path in several units has no length.
 std::string length_text(double units, const gui::DisplayUnit& unit, bool one_unit);
 
 }  // namespace hw::panels

@@ -41,27 +41,27 @@ int first_step_of(const std::vector<Pieces>& parts) {
 
 std::string_view why_not_run_drawn(const Frame& f, const DrawnTogether& drawn) {
   if (!draws_together(f) || !drawn.sequence) return "There is no drawing.";
-  if (pieces_of(f).running) return "Stop it first: it is being drawn.";
+  if (pieces_of(f).running) return "Stop the drawing first: it is being cut.";
   for (const sequence::Axis& axis : drawn.sequence->axes) {
     const int place = f.catalog.find_axis(axis.name);
     if (place < 0) return "One of its axes is not on this bus.";
     Tab& owner = owner_of(f, place);
     if (const std::string_view why = why_no_pieces(owner); !why.empty()) return why;
-    if (!owner.now().axes[0].position_known)
-      return "The position of one of its axes is not known. Home it, or set its position.";
+    if (!owner.now().axes[0].position_known) return position_not_known;
   }
   return {};
 }
 
-/// The worker prepares the pieces of each controller: the drawing may be long.
+/// The worker prepares the pieces of each controller, because the drawing may be long.
 void RunDrawnFrom::ask(Frame& f, const DrawnTogether& drawn, int step) {
   if (std::exchange(working_, true)) return;
   drawn_ = drawn;
   go_ahead_ = f.tab.desk().until_stopped();
-  f.tab.desk().worker().run([sequence = drawn.sequence, bus = std::make_shared<const Catalog>(f.catalog),
-                             step] { return pieces_together(*sequence, *bus, step); },
-                            [this](Result<Parts> parts) { worked_out_ = std::move(parts), working_ = false; },
-                            alive_);
+  f.tab.desk().work.worker().run(
+      [sequence = drawn.sequence, bus = std::make_shared<const Catalog>(f.catalog), step] {
+        return pieces_together(*sequence, *bus, step);
+      },
+      [this](Result<Parts> parts) { worked_out_ = std::move(parts), working_ = false; }, alive_);
   f.ui.wake_in(0);
 }
 
@@ -86,9 +86,9 @@ void RunDrawnFrom::compose_question(const Frame& f) {
   if (!parts_.empty() && !parts_.front().remark.empty()) question_ += "\n" + parts_.front().remark;
 }
 
-/// While the question stood, a stop may have come or another run may have begun.
+/// Begins, unless a stop came or another run began while the question was open.
 void RunDrawnFrom::begin(Frame& f) {
-  if (go_ahead_.expired()) return f.toast(Severity::warn, "A stop came first. Nothing was begun.");
+  if (go_ahead_.expired()) return f.toast(Severity::warn, std::string(nothing_started));
   if (const std::string_view why = why_not_run_drawn(f, drawn_); !why.empty())
     return f.toast(Severity::warn, std::string(why));
   f.tab.bus->begun = drawn_.sequence;
@@ -102,17 +102,17 @@ void RunDrawnFrom::begin(Frame& f) {
   }
 }
 
-void RunDrawnFrom::describe_what_came(Frame& f) {
+void RunDrawnFrom::report_outcome(Frame& f) {
   std::erase_if(begun_, [&f](const Begun& begun) {
     const IntentOutcome* outcome = begun.by->now().outcome_of(begun.id);
     if (!outcome || outcome->state == IntentState::pending) return false;
-    if (outcome->state != IntentState::done) f.toast(Severity::fault, begun.by->words_of(*outcome));
+    if (outcome->state != IntentState::done) f.toast(Severity::fault, begun.by->messages.words_of(*outcome));
     return true;
   });
 }
 
 void RunDrawnFrom::draw_dialog(Frame& f, std::string_view where) {
-  describe_what_came(f);
+  report_outcome(f);
   if (auto parts = std::exchange(worked_out_, std::nullopt)) take(f, std::move(*parts));
   if (!asking_) return;
   const Dialog what{.title = "Run from here?",

@@ -8,7 +8,7 @@
 namespace hw::panels {
 namespace {
 
-/// The start of each command of the line; empty: only the line is known.
+/// The start of each command of the line; empty: commands are not known.
 std::vector<int> begins_of_commands(const LineReport& line) {
   std::vector<int> begins;
   int moving = 0;
@@ -40,7 +40,7 @@ SourcePlaces source_places(const ProgramReport& report, int slot) {
   return places;
 }
 
-SourcePlaces::Some SourcePlaces::of_line(int line) const {
+SourcePlaces::IndexRange SourcePlaces::of_line(int line) const {
   const auto first = std::lower_bound(all.begin(), all.end(), line,
                                       [](const SourcePlace& p, int before) { return p.line < before; });
   auto behind = first;

@@ -26,7 +26,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// The range of steps that count as one: a contour with its steps.
+/// The range of steps that counts as one step: a contour with its steps.
 std::pair<int, int> counted_as_one(const sequence::Sequence& of, int step) {
   int first = 0;
   for (const sequence::Step& each : of.steps) {
@@ -40,7 +40,6 @@ std::pair<int, int> counted_as_one(const sequence::Sequence& of, int step) {
 }
 
 constexpr float hit_height = 36, legend_width = 248;
-constexpr std::string_view changed_since = "The text has been changed since. Simulate draws it again.";
 
 std::optional<Catalog> all_axes_of(const Bus& bus) {
   std::vector<const Catalog*> all;
@@ -75,18 +74,18 @@ PathSubject ToolPath::subject_of(const Frame& f) const {
 }
 
 void ToolPath::draw_all(Frame& f) {
-  describe_what_came(f);
+  report_outcome(f);
   choice_.begin(f);
   if (program_.follow(f, choice_.axes(), choice_.tool())) {
     hit_ = {};
-    canvas_.measure(canvas_.measured().on);  // its ends were in the previous axes and units
+    canvas_.measure(canvas_.measured().on);  // the ends were in the previous axes and units
     canvas_.fit();
   }
   follow_caret(f);
   follow_block(f);
   if (f.ui.keyboard.pressed(Command::simulate)) {
     if (const std::string_view why = program_.why_not_rehearse(); !why.empty())
-      f.toast(Severity::warn, std::string(why), &f.tab.desk().texts);
+      f.toast(Severity::warn, std::string(why), &f.tab.desk().programs.texts);
     else
       program_.rehearse(f);
   }
@@ -123,7 +122,7 @@ std::string ToolPath::place_text(const Frame& f, drawing::Point3 p) const {
   return text;
 }
 
-/// The line that draws it, the place, and when the axes were really there.
+/// Describes the hit: the line that draws it, the place, and when the axes were really there.
 void ToolPath::describe_hit(Frame& f) {
   const auto& hit = canvas_.clicked();
   const auto& passed = canvas_.passed();
@@ -141,7 +140,7 @@ void ToolPath::describe_hit(Frame& f) {
                     format_duration(std::max(0.0, std::floor(seconds(f.clock - passed->when)))).view());
 }
 
-/// The way between two clicks: its components and the straight length.
+/// Describes the way between two clicks: its components and the straight length.
 void ToolPath::describe_measure(const Frame& f) {
   const PathMeasure& measure = canvas_.measured();
   const auto way = measure.way();
@@ -160,15 +159,16 @@ void ToolPath::describe_measure(const Frame& f) {
 /// Highlights the line of the caret when the caret has moved in the editor.
 void ToolPath::follow_caret(const Frame& f) {
   Desk& desk = f.tab.desk();
-  if (std::exchange(caret_line_, desk.caret_line) == desk.caret_line || !program_.path()) return;
+  if (std::exchange(caret_line_, desk.programs.caret_line) == desk.programs.caret_line || !program_.path())
+    return;
   light(f, caret_line_);
 }
 
 /// Highlights a line of the drawn text, while that is the program's text.
 void ToolPath::light(const Frame& f, int line) {
   const std::string* text = program_.text();
-  if (!text || *text != f.tab.desk().texts.text(program_.slot())) return;
-  const SourcePlaces::Some some = program_.places().of_line(line);
+  if (!text || *text != f.tab.desk().programs.texts.text(program_.slot())) return;
+  const SourcePlaces::IndexRange some = program_.places().of_line(line);
   hit_ = {some.first, some.count, fmt::format("Line {}: {}", line + 1, line_of(*text, line))};
 }
 
@@ -177,7 +177,8 @@ const WrittenSequence* ToolPath::blocks_of_text(const Frame& f) const {
   Desk& desk = f.tab.desk();
   const std::string* text = program_.text();
   if (!text || program_.slot() < 0 || program_.older()) return nullptr;
-  const WrittenSequence* source = desk.source.of(*text, desk.blocks, desk.language(), f.catalog);
+  const WrittenSequence* source =
+      desk.programs.source.of(*text, desk.blocks, desk.programs.language(), f.catalog);
   return source && source->sequence == desk.blocks.editor.shared() ? source : nullptr;
 }
 
@@ -219,7 +220,7 @@ void ToolPath::draw_view_tools(Frame& f) {
     next_in_toolbar(f, 0, look.width > 0 ? look.width : button_width(ui, label, look));
     return button(ui, id, label, look).clicked;
   };
-  if (tool("path/fit", "Fit", "Shows all of it and the origin. On the picture: 0, or a double click."))
+  if (tool("path/fit", "Fit", "Shows the whole path and the origin. On the picture: 0, or a double click."))
     canvas_.fit();
   PathSubject seen;
   seen.axes = choice_.axes();
@@ -232,7 +233,7 @@ void ToolPath::draw_view_tools(Frame& f) {
   if (tool("path/forget", brief ? "Forget" : "Forget trace", "Clears the trace of the axes.", {},
            tight ? Icon::empty : Icon::none))
     for (const Direction& d : directions_of(f, seen.axes))
-      if (d.tab) d.tab->desk().trace.clear();
+      if (d.tab) d.tab->desk().records.trace.clear();
   const std::string_view save = brief ? "Save" : "Save picture";
   next_in_toolbar(f, 0, tight ? 36 : button_width(ui, save, {.style = ButtonStyle::quiet}));
   export_.draw_button(f, save, tight, program_.path() || !canvas_.trace().runs.empty());
@@ -255,7 +256,7 @@ void ToolPath::draw_hit(Frame& f, float width) {
   ImGui::SetCursorScreenPos(ImVec2(corner.x, row.max.y));
 }
 
-/// Draws from the right; moves `right` to where the links begin.
+/// Draws the links from the right. Moves `right` to their left end.
 void ToolPath::draw_hit_links(Frame& f, float& right, float y) {
   Ui& ui = f.ui;
   const auto pressed = [&](std::string_view id, std::string_view label, std::string_view disabled) {
@@ -278,9 +279,9 @@ void ToolPath::draw_hit_links(Frame& f, float& right, float y) {
   const int line = program_.places().line_of(hit_.source);
   if (line < 0 || program_.slot() < 0 || measures) return;
   Desk& desk = f.tab.desk();
-  const std::string_view old = program_.older() ? changed_since : "";
+  const std::string_view old = program_.older() ? path_is_older : "";
   if (pressed("path/show_line", "Show line", old)) {
-    desk.wanted_line = line;
+    desk.programs.wanted_line = line;
     f.show_panel("program");
   }
   if (const WrittenSequence* blocks = blocks_of_text(f); blocks &&
@@ -289,11 +290,11 @@ void ToolPath::draw_hit_links(Frame& f, float& right, float y) {
     desk.blocks.wanted_step = blocks->written.step_of_line[ix(line)];
     f.show_panel("blocks");
   }
-  if (pressed("path/run_here", "Run from here", old.empty() ? why_not_run_from(f) : old))
+  if (pressed("path/run_here", "Run from here", old.empty() ? why_no_new_run(f) : old))
     ask_to_run_from_hit(f);
 }
 
-/// The clicked source, or an earlier one of the same step that moves before it.
+/// The clicked source, or an earlier source of the same step that moves before it.
 int ToolPath::first_to_move(const WrittenSequence& written, int step) const {
   const auto [first, behind] = counted_as_one(*written.sequence, step);
   const std::vector<int>& steps = written.written.step_of_line;
@@ -306,14 +307,15 @@ int ToolPath::first_to_move(const WrittenSequence& written, int step) const {
   return hit_.source;
 }
 
-/// Text from blocks or a drawing has known steps; for other text the step is worked out.
+/// A text from blocks or a drawing has known steps; for any other text the step must be worked out.
 void ToolPath::ask_to_run_from_hit(Frame& f) {
   Desk& desk = f.tab.desk();
   const std::string* text = program_.text();
   if (!text || !program_.rehearsal()) return;
   const SourcePlace& place = program_.places().all[ix(hit_.source)];
   const Rehearsal& rehearsal = *program_.rehearsal();
-  if (const WrittenSequence* source = desk.source.of(*text, desk.blocks, desk.language(), f.catalog)) {
+  if (const WrittenSequence* source =
+          desk.programs.source.of(*text, desk.blocks, desk.programs.language(), f.catalog)) {
     const std::vector<int>& steps = source->written.step_of_line;
     const int step = ix(place.line) < steps.size() ? steps[ix(place.line)] : -1;
     return run_from_.ask(

@@ -1,6 +1,6 @@
 #pragma once
-// The path of the rehearsed program in two or three axes, or in one over time, and the real path of the axes;
-// on a bus one panel for all of it. Ids: `path/simulate`, `path/fit`, `path/fit_table`, `path/nearer`,
+// Shows the path of the rehearsed program in two or three axes, or in one axis over time, and the real path
+// of the axes. A bus has one such panel. Ids: `path/simulate`, `path/fit`, `path/fit_table`, `path/nearer`,
 // `path/further`, `path/forget`, `path/save`, `path/view`, `path/hit`, `path/measure`, `path/show_line`,
 // `path/run_here`; the axes: see PathChoice; the legend: see draw_path_legend().
 #include <optional>
@@ -23,9 +23,9 @@ class ToolPath final : public gui::Panel {
  private:
   /// A place in the rehearsed text, and the words about it or about the clicked part.
   struct Hit {
-    int source = -1, count = 1;  ///< of a line all of its own
+    int source = -1, count = 1;  ///< sources of the line; 1: a single source
     std::string words;
-    std::optional<int> pass = {};  ///< of that place; none: unknown
+    std::optional<int> pass = {};  ///< pass at that place; nullopt: unknown
   };
   void draw_all(gui::Frame& frame);
   [[nodiscard]] PathSubject subject_of(const gui::Frame& frame) const;
@@ -43,7 +43,8 @@ class ToolPath final : public gui::Panel {
   void ask_to_run_from_hit(gui::Frame& frame);
   [[nodiscard]] int first_to_move(const gui::WrittenSequence& written, int step) const;
 
-  std::optional<Catalog> together_;  ///< of all controllers of the bus; none: of this controller
+  std::optional<Catalog>
+      together_;  ///< catalog of all controllers of the bus; nullopt: that of this controller
   PathChoice choice_;
   ProgramPath program_;
   PathCanvas canvas_;

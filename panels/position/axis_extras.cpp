@@ -117,7 +117,7 @@ void show_phase(Frame& f, AxisId axis, const Rect& where) {
   const std::string& name = f.catalog.axes[axis.index].name;
   const bool moving = is_motion(state_of(f.now, axis.index, f.clock));
   const std::string_view phase = phase_of(f, axis);
-  const NumberText speed = format_speed(f.now.axes[axis.index].speed, f.tab.unit(axis));
+  const NumberText speed = format_speed(f.now.axes[axis.index].speed, f.tab.settings.unit(axis));
   show(f.ui,
        {Path("dro/{}/phase", name),
         Kind::text,
@@ -150,7 +150,7 @@ void draw_axis_extras(Frame& f, AxisId axis, ImVec2 at, float width) {
   const float right = at.x + width, end = std::min(x + phase_width + ui.px(8), right - ui.px(60));
   draw_encoder(f, axis, ImVec2(end, line), right - end, true);
   const bool moving = is_motion(state_of(f.now, axis.index, f.clock));
-  if (x + phase_width <= end)  // half a word is useless
+  if (x + phase_width <= end)  // a part of a word is useless
     draw_text_line(ui, x, end, middle, Face::small, ui[moving ? Tone::motion : Tone::fault], phase);
   show_phase(f, axis, {ImVec2(x, at.y), ImVec2(std::max(x, end), at.y + ui.px(extra_line_height))});
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(extra_line_height)));

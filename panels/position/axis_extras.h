@@ -1,7 +1,7 @@
 #pragma once
-// The state of an axis besides its position: motor power with its switch, ramp phase, speed, and encoder.
-// Under the number of a few axes, left of the numbers of many. Ids: `dro/X/power`, `dro/X/phase`,
-// `dro/X/speed`, `dro/X/encoder`.
+// Shows the state of an axis beside its position: motor power with its switch, ramp phase, speed, and
+// encoder. It is below the number of a few axes, left of the numbers of many. Ids: `dro/X/power`,
+// `dro/X/phase`, `dro/X/speed`, `dro/X/encoder`.
 #include <string_view>
 
 #include <imgui.h>
@@ -11,16 +11,16 @@
 
 namespace hw::panels {
 
-/// Logical; 0: nothing to show.
+/// The height, logical; 0: there is no such state.
 float axis_extras_height(const Catalog& catalog, AxisId axis);
-/// All of it in one line.
+/// Draws it in one line.
 void draw_axis_extras(gui::Frame& frame, AxisId axis, ImVec2 at, float width_px);
 
 /// The small motor power switch: lamp and "power on", or "on" when `brief`. Returns its width in pixels; 0:
 /// the power cannot be switched.
 float power_width(const gui::Frame& frame, AxisId axis, bool brief);
 void draw_power(gui::Frame& frame, AxisId axis, ImVec2 at, float height, bool brief);
-/// "encoder 8000", or only the number in less room; nothing without an encoder.
+/// Draws "encoder 8000", or only the number in a narrow place; nothing without an encoder.
 void draw_encoder(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px, bool right_aligned);
 /// "accelerating" during motion, else the error that stops the axis: "stalled".
 std::string_view phase_of(const gui::Frame& frame, AxisId axis);

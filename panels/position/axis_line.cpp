@@ -32,9 +32,9 @@ void draw_jogs(Ui& ui, Tab& tab, AxisId axis, const Rect& r) {
   }
 }
 
-/// The user's name, and the position.
+/// Draws the user's name and the position.
 Touch draw_number(Ui& ui, Tab& tab, AxisId axis, const AxisLine& line, float left, float right, float top) {
-  const DisplayUnit& unit = tab.unit(axis);
+  const DisplayUnit& unit = tab.settings.unit(axis);
   const NumberText number = shown_position(tab.now().axes[axis.index], unit);
   const std::string_view unit_name = unit.real ? std::string_view(unit.name) : std::string_view();
   DigitsOptions d;
@@ -52,7 +52,7 @@ Touch draw_number(Ui& ui, Tab& tab, AxisId axis, const AxisLine& line, float lef
                 d);
 }
 
-/// Below the number, so that a long one does not run into it. Returns the end of the state.
+/// Draws the state below the number, so that a long number does not run into it. Returns its right end.
 float draw_state(Ui& ui, const AxisLine& line, float left, float right, const Rect& row) {
   const float middle = row.min.y + ui.px(state_middle);
   const StateLook& state = look_of(line.state);

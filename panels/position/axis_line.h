@@ -1,6 +1,6 @@
 #pragma once
-// The row of a device of a bus, or of an axis of a controller with more than four. Name and position, below
-// them the state, at the right two jog buttons. A press on the row chooses it.
+// Draws the row of a device of a bus, or of an axis of a controller with more than four: name and position,
+// below them the state, at the right two jog buttons. A press on the row chooses the device or axis.
 #include <string_view>
 
 #include "gui/model/axis_look.h"
@@ -22,7 +22,7 @@ struct AxisLine {
   gui::Face face = gui::Face::digits26;  ///< of the number: see axis_line_face
 };
 
-/// The face in which a number of this width at digits26 keeps clear of the name, in a line of that width.
+/// The face in which a number, `number_px` wide at digits26, does not touch the name in a line of that width.
 gui::Face axis_line_face(const gui::Ui& ui, float number_px, float width);
 
 struct AxisLineTouch {
@@ -31,7 +31,7 @@ struct AxisLineTouch {
   gui::Rect aside;  ///< free part of the second line, from the state word to the end of the number
 };
 
-/// Draws at the cursor, `width` logical pixels wide; leaves it under the row.
+/// Draws at the cursor, `width` logical pixels wide, and leaves it below the row.
 AxisLineTouch draw_axis_line(gui::Ui& ui, gui::Tab& tab, AxisId axis, const AxisLine& line, float width);
 
 }  // namespace hw::panels

@@ -18,7 +18,7 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-/// "It stands at [     ]": returns the text once, when Enter was pressed.
+/// Draws "It stands at [     ]". Returns the text, once, when Enter was pressed.
 bool set_field(Frame& f, std::string_view id, std::string_view label, std::string& typed,
                const DisplayUnit& unit, std::string_view disabled) {
   Ui& ui = f.ui;
@@ -73,7 +73,7 @@ void AxisMenu::draw(Frame& f, AxisId axis, const Touch& opener) {
 
 void AxisMenu::draw_position_rows(Frame& f, AxisId axis) {
   const std::string& name = f.catalog.axes[axis.index].name;
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   const std::string_view why = f.tab.why_not_move();
   if (popup_row(f.ui, Path("dro/{}/copy", name), "Copy this number"))
     ImGui::SetClipboardText(
@@ -88,13 +88,13 @@ void AxisMenu::draw_position_rows(Frame& f, AxisId axis) {
   ImGui::CloseCurrentPopup();
 }
 
-/// "- limit [     ] Here  None", and the same for the other end.
+/// Draws "- limit [     ] Here  None", and the same for the other end.
 void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
   Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   const AxisState& state = f.now.axes[axis.index];
-  Travel travel = f.tab.profile.axes[axis.index].travel;
+  Travel travel = f.tab.settings.profile.axes[axis.index].travel;
   const Travel before = travel;
   bool touched = false;
   for (const Sign sign : {Sign::minus, Sign::plus}) {
@@ -137,19 +137,20 @@ void AxisMenu::draw_limit_rows(Frame& f, AxisId axis) {
   if (touched) f.withdraw(&limits_);
   if (travel == before) return;
   travel.in_counts = state.in_counts;
-  const std::string why = describe_no_travel(f.catalog, intent::SetTravel(axis, travel), f.tab.place_words());
+  const std::string why =
+      describe_no_travel(f.catalog, intent::SetTravel(axis, travel), f.tab.settings.place_words());
   if (!why.empty()) return f.toast(Severity::fault, why, &limits_);
   for (NumberField& field : limits_) field.reset();
-  f.tab.profile.axes[axis.index].travel = travel;
-  f.tab.profile_edited();
+  f.tab.settings.profile.axes[axis.index].travel = travel;
+  f.tab.settings.edited();
 }
 
-/// "Backlash [     ] ends in +".
+/// Draws "Backlash [     ] ends in +".
 void AxisMenu::draw_backlash_row(Frame& f, AxisId axis) {
   Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
-  const DisplayUnit& unit = f.tab.unit(axis);
-  Backlash backlash = f.tab.profile.axes[axis.index].backlash;
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
+  Backlash backlash = f.tab.settings.profile.axes[axis.index].backlash;
   const Backlash before = backlash;
   const ImVec2 at(ImGui::GetCursorScreenPos().x + ui.px(12), ImGui::GetCursorScreenPos().y + ui.px(4));
   draw_text_line(ui, at.x, at.x + ui.px(60), at.y + ui.px(16), Face::body, ui[Tone::ink], "Backlash");
@@ -179,8 +180,8 @@ void AxisMenu::draw_backlash_row(Frame& f, AxisId axis) {
           describe_no_backlash(intent::SetBacklash(axis, backlash), f.catalog.axes.size());
       !why.empty())
     return f.toast(Severity::fault, why);
-  f.tab.profile.axes[axis.index].backlash = backlash;
-  f.tab.profile_edited();
+  f.tab.settings.profile.axes[axis.index].backlash = backlash;
+  f.tab.settings.edited();
 }
 
 void AxisMenu::draw_encoder_rows(Frame& f, AxisId axis) {

@@ -13,7 +13,7 @@ namespace hw::panels {
 
 class AxisMenu {
  public:
-  /// A click on `digits` opens it.
+  /// Draws the menu, which a click on `digits` opens.
   void draw(gui::Frame& frame, AxisId axis, const gui::Touch& digits);
 
  private:
@@ -22,7 +22,7 @@ class AxisMenu {
   void draw_limit_rows(gui::Frame& frame, AxisId axis);
   void draw_backlash_row(gui::Frame& frame, AxisId axis);
 
-  std::string position_, encoder_;            ///< typed in the open menu
+  std::string position_, encoder_;            ///< texts typed in the open menu
   std::array<gui::NumberField, 2> limits_{};  ///< -, +
   gui::NumberField backlash_;
 };

@@ -23,7 +23,7 @@ namespace {
 constexpr float bus_row_height = axis_line_height, most_of_column = 0.55f, margin = 16;
 constexpr AxisId only{0};
 
-/// Needs attention: faults, lost and stale controllers.
+/// Whether a controller needs attention: a fault, or a lost or stale link.
 bool in_trouble(const Tab& tab) {
   return badness(worst_state(tab.now(), tab.clock())) >= badness(State::stale);
 }
@@ -58,7 +58,7 @@ void BusRows::draw_title(Frame& f) {
   draw_summary(f, f.area.width);
 }
 
-/// Number of responding controllers; and the menu for the position of the chosen one.
+/// Draws the number of controllers that respond, and the menu for the position of the chosen controller.
 void BusRows::draw_summary(Frame& f, float width) {
   Ui& ui = f.ui;
   constexpr float height = 32;
@@ -99,13 +99,12 @@ void BusRows::draw_summary(Frame& f, float width) {
 void BusRows::draw_rows(Frame& f, float height) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Rect all{at, ImVec2(at.x + f.ui.px(f.area.width), at.y + f.ui.px(height))};
-  // The highlight spans the column from border to border, to be visible from afar.
+  // The highlight spans the column from border to border, so that it is visible from afar.
   ImGui::SetCursorScreenPos(ImVec2(f.ui.px(f.area.x - margin), at.y));
   begin_part(f.ui, "bus/rows", f.ui.px(f.area.width + 2 * margin) - f.ui.hair(), f.ui.px(height), Tone::panel,
              margin);
   const float width = ImGui::GetContentRegionAvail().x / f.ui.scale;
-  // Always in the order of their ids, in trouble or not: the rows have jog buttons and must not change
-  // places.
+  // Rows are always in the order of their ids: they have jog buttons and must not change places.
   for (Tab* member : f.tab.bus->members) draw_row(f, *member, width);
   end_part();
   ImGui::SetCursorScreenPos(ImVec2(at.x, all.max.y));
@@ -117,7 +116,7 @@ void BusRows::draw_row(Frame& f, Tab& member, float width) {
   AxisLine line;
   line.id = row_id;
   line.name = id;
-  line.label = member.profile.axes[0].name;
+  line.label = member.settings.profile.axes[0].name;
   line.state = worst_state(member.now(), member.clock());
   line.chosen = &member == &f.tab;
   if (!line.chosen) line.tip = "Click to choose it.";
@@ -127,7 +126,7 @@ void BusRows::draw_row(Frame& f, Tab& member, float width) {
   if (touched.pressed || touched.number.clicked) f.console.activate(member);
 }
 
-/// In a narrow window: the chosen controller, and a list to choose another.
+/// For a narrow window: draws the chosen controller, and a list to choose another.
 void BusRows::draw_strip(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -1,7 +1,8 @@
 #pragma once
-// All controllers of a bus, a row each: id, state, position and jog. A press chooses the controller that the
-// other panels act on. Controllers in trouble are counted above, and a press shows them: rows do not change
-// places. Ids: `bus/03`, `bus/trouble`, `dro/03/position`, `dro/03/state`, `jog/03/+`.
+// Draws a row for each controller of a bus: id, state, position and jog. A press on a row chooses the
+// controller for the other panels. A line above counts the controllers in trouble; a press on it shows them,
+// because rows do not change places. Ids: `bus/03`, `bus/trouble`, `dro/03/position`, `dro/03/state`,
+// `jog/03/+`.
 #include "gui/model/bus.h"
 #include "gui/model/tab.h"
 #include "gui/shell/panel_entry.h"

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float form_line = 36;
 
-/// The parts of one line, at their places.
+/// Places the parts of a line.
 class FormLine {
  public:
   FormLine(Frame& f, AxisId axis)
@@ -53,7 +53,7 @@ class FormLine {
   const ImVec2 at_;
 };
 
-/// With a closed loop the controller counts the encoder, which has no micro steps.
+/// Whether the controller counts the encoder, as with a closed loop; an encoder has no micro steps.
 bool counts_encoder(const Frame& f, AxisId axis) {
   return f.catalog.axes[axis.index].servo || f.now.axes[axis.index].in_counts;
 }
@@ -69,14 +69,14 @@ bool OwnUnitForm::draw(Frame& f, AxisId axis, AxisProfile& profile) {
   return reported || by_drive || measured;
 }
 
-/// Steps a turn are not counts a turn.
+/// Clears the numbers when counts change, because steps per turn are not counts per turn.
 void OwnUnitForm::forget_other_counts(bool counts) {
   if (std::exchange(counts_, counts) == counts) return;
   full_.reset(), micro_.reset();
   for (Point& point : points_) point.steps.reset();
 }
 
-/// "One step is [0.0025] [mm]"
+/// Draws "One step is [0.0025] [mm]".
 bool OwnUnitForm::draw_step(Frame& f, AxisId axis, OwnUnit& own) {
   const FormLine line(f, axis);
   line.words(0, counts_encoder(f, axis) ? "One count is" : "One step is");
@@ -97,16 +97,17 @@ bool OwnUnitForm::draw_step(Frame& f, AxisId axis, OwnUnit& own) {
 bool OwnUnitForm::draw_drive(Frame& f, AxisId axis, OwnUnit& own) {
   const FormLine line(f, axis);
   const bool counts = counts_encoder(f, axis);
-  line.words(0, counts ? "counts/turn" : "steps a turn");
-  line.number(76, 60, "full", counts ? "Encoder counts a turn" : "Full steps a turn", full_, std::nullopt, 0);
+  line.words(0, counts ? "counts/turn" : "steps/turn");
+  line.number(76, 60, "full", counts ? "Encoder counts per turn" : "Full steps per turn", full_, std::nullopt,
+              0);
   if (!counts) {
     line.words(142, "micro");
-    line.number(178, 52, "micro", "Micro steps a full step", micro_, std::nullopt, 0);
+    line.number(178, 52, "micro", "Microsteps per full step", micro_, std::nullopt, 0);
   }
   line.words(236, "gear");
-  line.number(264, 52, "gear", "Turns of the motor for one of the screw", gear_, std::nullopt, 6);
+  line.number(264, 52, "gear", "Motor turns per turn of the screw", gear_, std::nullopt, 6);
   line.words(322, "goes");
-  line.number(354, 54, "travel", "Distance of one turn", travel_, std::nullopt, 6);
+  line.number(354, 54, "travel", "Distance per turn", travel_, std::nullopt, 6);
   const double of_motor =
       counts ? full_.value().value_or(0) : full_.value().value_or(200) * micro_.value().value_or(1);
   const double steps = of_motor * gear_.value().value_or(1);
@@ -120,7 +121,7 @@ bool OwnUnitForm::draw_drive(Frame& f, AxisId axis, OwnUnit& own) {
   return true;
 }
 
-/// Two positions read at the machine, each with the count at that moment.
+/// Draws two positions measured at the machine, each with the count at that moment.
 bool OwnUnitForm::draw_points(Frame& f, AxisId axis, AxisProfile& profile) {
   const FormLine line(f, axis);
   line.words(0, "measured at");
@@ -132,7 +133,7 @@ bool OwnUnitForm::draw_points(Frame& f, AxisId axis, AxisProfile& profile) {
   const Steps steps = taken ? *points_[1].steps - *points_[0].steps : Steps();
   const bool known = taken && steps != Steps(0) && *to != *from;
   if (!line.use(412, "measured",
-                known ? "" : "Type the measured position and press Here; move the axis and repeat."))
+                known ? "" : "Type the measured position and press Here. Then move the axis and repeat."))
     return false;
   const double per_step = (*to - *from) / static_cast<double>(steps.value);
   profile.own_unit.per_step = std::abs(per_step);

@@ -1,5 +1,5 @@
 #pragma once
-// The load of an axis that the catalog does not know: given as units per step, by its drive, or by two
+// The form for the load of an axis that the catalog does not know: as units per step, by its drive, or by two
 // measured points. Ids: `dro/unit/own/X/step`, `/name`, `/full`, `/micro`, `/gear`, `/travel`, `/drive`,
 // `/first`, `/first/here`, `/second`, `/second/here`, `/measured`.
 #include <array>
@@ -16,7 +16,7 @@ class OwnUnitForm {
  public:
   static constexpr float rows = 3.6f;  ///< its height in rows of 32
 
-  /// True: the unit, or its direction, has changed.
+  /// Returns true when the unit, or its direction, has changed.
   bool draw(gui::Frame& frame, AxisId axis, AxisProfile& profile);
 
  private:
@@ -31,7 +31,7 @@ class OwnUnitForm {
 
   void forget_other_counts(bool counts);
 
-  std::optional<bool> counts_;  ///< of the encoder: what the numbers below are about
+  std::optional<bool> counts_;  ///< whether the numbers below count the encoder
   gui::NumberField step_, full_, micro_, gear_, travel_;
   std::array<Point, 2> points_;
 };

@@ -29,40 +29,41 @@ using namespace gui;
 namespace {
 
 constexpr float between_strip_columns = 24;
-/// Room left of a number for an encoder position, so that numbers take smaller type before the encoder is
+/// Width left of a number for an encoder position, so that numbers take smaller type before the encoder is
 /// cut.
 constexpr float room_beside = 80;
 
 AxisId axis_id(std::size_t i) { return AxisId{static_cast<std::uint8_t>(i)}; }
 
 bool in_strip(const Frame& f) { return f.tier == Tier::narrow; }
-/// Each axis has a row with jog buttons.
+/// Whether each axis has a row with jog buttons.
 bool as_lines(const Frame& f) { return f.catalog.axes.size() > 4; }
-/// Captions stand beside the number, not under it.
+/// Whether captions are beside the number, not below it.
 bool captions_beside(const Frame& f) {
   return in_strip(f) || (f.catalog.axes.size() > 2 && f.tier != Tier::wide);
 }
-/// Power stands beside the name, because it has no line of its own.
+/// Whether power is beside the name, because it has no line of its own.
 bool power_in_head(const Frame& f) { return in_strip(f) || f.catalog.axes.size() > 2; }
-/// Under the number: the encoder at the right, the caption at the left.
+/// Below the number the encoder is at the right, the caption at the left.
 constexpr float encoder_slot = 112;
 
-/// A unit common to all axes stands in the title of the column if it is a word: many numbers need the room.
+/// The unit beside a number. A unit common to all axes is in the title of the column if it is a word, because
+/// many numbers need the width.
 std::string_view unit_beside(const Frame& f, AxisId axis) {
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   const bool text =
       (!in_strip(f) || as_lines(f)) && !unit.real && f.catalog.axes.size() > 2 && unit.name == shown_unit(f);
   return text ? std::string_view() : std::string_view(unit.name);
 }
 
-/// One size for all axes, so that their decimal points stay aligned.
+/// The same face for all axes, so that their decimal points are aligned.
 Face face_for_all(const Frame& f, Face wanted, float width) {
   std::array<NumberText, max_axes> numbers;
   std::array<std::string_view, max_axes> views;
   const std::size_t n = f.catalog.axes.size();
   std::string_view longest_unit;
   for (std::size_t i = 0; i < n; ++i) {
-    numbers[i] = format_position(f.now.axes[i].position, f.tab.unit(axis_id(i)));
+    numbers[i] = format_position(f.now.axes[i].position, f.tab.settings.unit(axis_id(i)));
     views[i] = numbers[i].view();
     const std::string_view unit = unit_beside(f, axis_id(i));
     if (unit.size() > longest_unit.size()) longest_unit = unit;
@@ -71,12 +72,13 @@ Face face_for_all(const Frame& f, Face wanted, float width) {
   return digits_face(f.ui, {views.data(), n}, longest_unit, wanted, room);
 }
 
-/// Of all axes, in pixels.
+/// The width of the widest number of all axes, in pixels.
 float widest_number(const Frame& f, Face face) {
   float widest = 0;
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
-    widest = std::max(widest, digits_width(f.ui, face, shown_position(f.now.axes[i], f.tab.unit(axis_id(i))),
-                                           unit_beside(f, axis_id(i))));
+    widest = std::max(widest,
+                      digits_width(f.ui, face, shown_position(f.now.axes[i], f.tab.settings.unit(axis_id(i))),
+                                   unit_beside(f, axis_id(i))));
   return widest;
 }
 
@@ -125,14 +127,14 @@ void Position::draw_lines(Frame& f) {
     AxisLine line;
     line.id = row_id;
     line.name = name;
-    line.label = f.tab.profile.axes[i].name;
+    line.label = f.tab.settings.profile.axes[i].name;
     line.state = state_of(f.now, static_cast<int>(i), f.clock);
-    line.chosen = f.tab.chosen_axis == axis;
+    line.chosen = f.tab.view.chosen_axis == axis;
     line.face = face;
     line.tip =
         line.chosen ? "Click to copy the position, to set it to zero, or to set it." : "Click to choose it.";
     AxisLineTouch touched = draw_axis_line(f.ui, f.tab, axis, line, f.area.width);
-    if (touched.pressed || touched.number.clicked) f.tab.chosen_axis = axis;
+    if (touched.pressed || touched.number.clicked) f.tab.view.chosen_axis = axis;
     if (!line.chosen) touched.number.clicked = false;  // the first press only chooses the row
     const Rect& aside = touched.aside;
     show_steps(f, axis, touched.number.rect);
@@ -216,7 +218,7 @@ void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, const Le
   ImGui::SetCursorScreenPos(ImVec2(at.x, below_head + drop));
   draw_digits(f, axis, width, face);
   if (captions_beside(f)) {
-    const NumberText number = shown_position(f.now.axes[axis.index], f.tab.unit(axis));
+    const NumberText number = shown_position(f.now.axes[axis.index], f.tab.settings.unit(axis));
     const float taken = digits_width(ui, face, number, unit_beside(f, axis));
     return draw_captions_beside(f, axis, ImVec2(at.x, below_head), w - taken - ui.px(8));
   }
@@ -227,8 +229,8 @@ void Position::draw_axis(Frame& f, AxisId axis, float width, Face face, const Le
   draw_axis_extras(f, axis, ImVec2(at.x, below_digits + ui.line(Face::small)), w);
 }
 
-/// Name, user's name and state; in close rows also power, in the strip the limits. The user's name gets the
-/// remaining room.
+/// Draws name, user's name and state; in close rows power too, in the strip the limits. The user's name gets
+/// the remaining width.
 void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w, float height) {
   Ui& ui = f.ui;
   const AxisInfo& info = f.catalog.axes[axis.index];
@@ -263,11 +265,11 @@ void Position::draw_head(Frame& f, AxisId axis, ImVec2 at, float w, float height
       right -= width + ui.px(4);
     }
   }
-  const std::string& users = f.tab.profile.axes[axis.index].name;
+  const std::string& users = f.tab.settings.profile.axes[axis.index].name;
   const std::string_view label = users.empty() ? std::string_view(info.description) : std::string_view(users);
   const float whole = std::ceil(text_width(ui, Face::body, label));
   const float words = std::min(whole, right - left - limits);
-  if (words == whole || (!users.empty() && words > ui.px(32))) {  // part of the maker's word is useless
+  if (words == whole || (!users.empty() && words > ui.px(32))) {  // a part of the maker's word is useless
     draw_text_line(ui, left, left + words + 1, middle, Face::body, ui[Tone::ink2], label);
     left += words + ui.px(12);
   }
@@ -281,7 +283,7 @@ Touch Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
   o.width = width;
   o.state = digits_state(f.now, axis.index, f.clock);
   o.tip = "Click to copy the position, to set it to zero, or to set it.";
-  const NumberText number = shown_position(f.now.axes[axis.index], f.tab.unit(axis));
+  const NumberText number = shown_position(f.now.axes[axis.index], f.tab.settings.unit(axis));
   const Touch t = digits(f.ui, Path("dro/{}/position", name), Path("Position of {}", name), number,
                          unit_beside(f, axis), o);
   menu_.draw(f, axis, t);
@@ -291,7 +293,7 @@ Touch Position::draw_digits(Frame& f, AxisId axis, float width, Face face) {
 void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   Ui& ui = f.ui;
   show_steps(f, axis, {at, ImVec2(at.x + width * 0.6f, at.y + ui.line(Face::small))});
-  // The left caption is about the number, so it comes first: the right one is shortened, then left out.
+  // The left caption is about the number, so it comes first. The right caption is shortened, then left out.
   const float left_width = draw_about_number(f, axis, at, width);
   const float room = width - left_width - ui.px(12);
   const ImVec2 right(at.x + width - room, at.y);
@@ -301,8 +303,8 @@ void Position::draw_captions(Frame& f, AxisId axis, ImVec2 at, float width) {
   if (wide <= room) draw_text(ui, ImVec2(at.x + width - wide, at.y), Face::small, ui[Tone::ink2], steps);
 }
 
-/// The fault of the number, or the activity of its axis, or (`origin_too`) the origin of the number: of the
-/// latter at least its mark, beside the activity.
+/// Draws the fault of the number, or the activity of its axis, or (`origin_too`) the origin of the number, at
+/// least its mark beside the activity.
 void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool origin_too) {
   Ui& ui = f.ui;
   const Caption about = about_number(f, axis);
@@ -327,7 +329,7 @@ void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool ori
       words.append(brevity == 0 ? phase : "");
       words.append(brevity == 0 ? ", " : "");
       const Pps speed = f.now.axes[axis.index].speed;
-      const DisplayUnit& unit = f.tab.unit(axis);
+      const DisplayUnit& unit = f.tab.settings.unit(axis);
       words.append((brevity < 2 ? format_speed(speed, unit) : format_brief_speed(speed, unit)).view());
       return words;
     });
@@ -336,15 +338,16 @@ void Position::draw_about(Frame& f, AxisId axis, ImVec2 at, float room, bool ori
   draw_at_work(f, axis, at, room, false);
 }
 
-/// One line under the number: the encoder has a fixed place at the right, whatever the caption at the left.
+/// Draws a line below the number. The encoder has a fixed place at the right, whatever the caption at the
+/// left.
 void Position::draw_provenance(Frame& f, AxisId axis, ImVec2 at, float width) {
   const float slot = f.catalog.axes[axis.index].encoder ? f.ui.px(encoder_slot) : 0;
   draw_about(f, axis, at, width - slot - (slot > 0 ? f.ui.px(8) : 0), true);
   if (slot > 0) draw_encoder(f, axis, ImVec2(at.x + width - slot, at.y), slot, true);
 }
 
-/// Two lines in the room left of the number: its fault or the axis's activity; below, the encoder or the
-/// origin of the number.
+/// Draws two lines left of the number: its fault or the axis's activity, and below the encoder or the origin
+/// of the number.
 void Position::draw_captions_beside(Frame& f, AxisId axis, ImVec2 at, float room) {
   Ui& ui = f.ui;
   const float line = ui.line(Face::small);

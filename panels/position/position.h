@@ -9,9 +9,8 @@
 
 namespace hw::panels {
 
-/// The position, state and trustworthiness of each axis: a block per axis at a fixed place (column.h).
-/// Captions stand under the number, or beside it if room is short. More than four axes are rows with their
-/// own jog buttons.
+/// Shows position, state and trust of each axis, in a block at a fixed place (column.h). Captions are below
+/// the number, or beside it in a low column. More than four axes are rows with jog buttons of their own.
 class Position final : public gui::Panel {
  public:
   void draw(gui::Frame& frame) override;

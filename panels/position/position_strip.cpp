@@ -19,7 +19,7 @@ using namespace gui;
 
 namespace {
 
-/// The state; then EMULATED at the first axis, the user's name at the others, if there is room.
+/// Draws the state, then EMULATED at the first axis and the user's name at the others, if they fit.
 void draw_strip_state(Frame& f, AxisId axis, ImVec2 at, float end) {
   Ui& ui = f.ui;
   const std::string& name = f.catalog.axes[axis.index].name;
@@ -41,17 +41,17 @@ void draw_strip_state(Frame& f, AxisId axis, ImVec2 at, float end) {
     ImGui::SetCursorScreenPos(ImVec2(left, at.y - ui.px(2)));
     return emulated_badge(ui, "dro/emulated", form);
   }
-  const std::string& users = f.tab.profile.axes[axis.index].name;
+  const std::string& users = f.tab.settings.profile.axes[axis.index].name;
   const std::string_view label =
       users.empty() ? std::string_view(f.catalog.axes[axis.index].description) : std::string_view(users);
   const bool whole = left + std::ceil(text_width(ui, Face::small, label)) <= end;
-  if (whole || (!users.empty() && end - left > ui.px(40)))  // part of the maker's word is useless
+  if (whole || (!users.empty() && end - left > ui.px(40)))  // a part of the maker's word is useless
     draw_text_line(ui, left, end, middle, Face::small, ui[Tone::ink2], label);
 }
 
 }  // namespace
 
-/// Limit lamps of one axis if there is no room for the limits panel.
+/// Draws the limit lamps of an axis where the limits panel does not fit.
 void draw_strip_limits(Frame& f, AxisId axis, ImVec2 at) {
   const AxisState& a = f.now.axes[axis.index];
   const std::string& name = f.catalog.axes[axis.index].name;
@@ -74,7 +74,8 @@ void draw_beside_strip_number(Frame& f, AxisId axis, const Rect& row) {
   draw_text_line(ui, row.min.x, end, middle, Face::title_bold, ui[Tone::ink], info.name);
   const float name = std::ceil(text_width(ui, Face::title_bold, info.name));
   float x = row.min.x + std::max(ui.px(22), name + ui.px(8));
-  if (end - x < ui.px(38)) return draw_strip_state(f, axis, ImVec2(x, middle - small / 2), end);  // its icon
+  if (end - x < ui.px(38))
+    return draw_strip_state(f, axis, ImVec2(x, middle - small / 2), end);  // only the icon fits
   if (const float power = power_width(f, axis, true); power > 0 && x + power + ui.px(100) <= end) {
     draw_power(f, axis, ImVec2(x, row.min.y + ui.px(4)), 32, true);
     x += power + ui.px(4);

@@ -17,7 +17,7 @@ using namespace gui;
 
 Caption about_number(Frame& f, AxisId axis, bool brief) {
   Caption caption;
-  caption.words = provenance(f.now, axis, f.clock, f.tab.desk().traffic.clock(), brief);
+  caption.words = provenance(f.now, axis, f.clock, f.tab.desk().records.traffic.clock(), brief);
   switch (origin_of(f.now, axis, f.clock)) {
     case Origin::stale: f.ui.wake_in(1), caption.tone = Tone::warn, caption.mark = Icon::clock; break;
     case Origin::unknown:
@@ -36,7 +36,7 @@ float draw_about_number(Frame& f, AxisId axis, ImVec2 at, float room) {
   const NumberText whole = caption.words;
   const auto width_of = [&] { return mark + gap + std::ceil(text_width(ui, Face::small, caption.words)); };
   if (width_of() > room) caption = about_number(f, axis, true);
-  const bool warns = caption.tone == Tone::warn;  // a warning is shown even in part
+  const bool warns = caption.tone == Tone::warn;  // a part of a warning is better than none
   const bool with_words = width_of() <= room || (warns && room > ui.px(48));
   const float width = with_words ? std::min(width_of(), room) : mark;
   draw_icon(ImGui::GetWindowDrawList(), caption.mark, ImVec2(at.x + mark / 2, middle), mark,
@@ -51,13 +51,14 @@ float draw_about_number(Frame& f, AxisId axis, ImVec2 at, float room) {
 
 NumberText steps_behind(const Frame& f, AxisId axis) {
   const DisplayUnit steps{counted_unit(f.catalog, f.now, f.catalog.step_word, axis.index), 1, 0, false};
-  return f.tab.unit(axis).real ? format_with_unit(f.now.axes[axis.index].position, steps) : NumberText();
+  return f.tab.settings.unit(axis).real ? format_with_unit(f.now.axes[axis.index].position, steps)
+                                        : NumberText();
 }
 
 // A held jog has no intended target, and a stopping axis will not reach its own.
 NumberText where_to(const Frame& f, AxisId axis, bool whole) {
   const AxisState& a = f.now.axes[axis.index];
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   const State state = state_of(f.now, axis.index, f.clock);
   NumberText words;
   if (state == State::limit_plus || state == State::limit_minus)
@@ -95,11 +96,11 @@ int queued(const Frame& f, AxisId axis) {
   return known ? std::max(0, f.catalog.queue_depth - f.now.queue_free[axis.index]) : 0;
 }
 
-/// For a connected servo axis with a known position: its distance from the command, and in the wordy form the
-/// commanded position.
+/// For a connected servo axis with a known position: its distance from the command, and in the longest form
+/// the commanded position.
 NumberText behind(const Frame& f, AxisId axis, int brevity) {
   const AxisState& a = f.now.axes[axis.index];
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   const bool moves = is_motion(state_of(f.now, axis.index, f.clock));
   NumberText words;
   if (a.loop == Loop::none || !f.connected() || !a.position_known) return words;
@@ -113,8 +114,8 @@ NumberText behind(const Frame& f, AxisId axis, int brevity) {
   return words;
 }
 
-// Each brevity shows less. The unit of a speed is that of the position beside it; the unit goes first, then
-// the speed. The lag of a servo axis goes last.
+// Each level of brevity shows less. The unit of the speed goes first, because the position beside it shows
+// it, then the speed. The lag of a servo axis goes last.
 Path at_work(const Frame& f, AxisId axis, int brevity) {
   const Pps speed = f.now.axes[axis.index].speed;
   const bool runs = speed.value > 0 && is_motion(state_of(f.now, axis.index, f.clock));
@@ -126,7 +127,7 @@ Path at_work(const Frame& f, AxisId axis, int brevity) {
   if (brevity < 2)
     does = where_to(f, axis, brevity == 0);
   else if (runs && (has_error ? brevity == 2 : brevity < least_words || waiting == 0))
-    does = format_brief_speed(speed, f.tab.unit(axis));
+    does = format_brief_speed(speed, f.tab.settings.unit(axis));
   const auto comma = [](std::string_view before, bool more) { return before.empty() || !more ? "" : ", "; };
   const Path caption("{}{}{}", does.view(), comma(does, has_error), error.view());
   if (waiting == 0) return caption;
@@ -146,14 +147,14 @@ void show_queue(Frame& f, AxisId axis, const Rect& where) {
        where);
 }
 
-/// Registers `dro/X/command` and `dro/X/error` there too.
+/// Registers `dro/X/command` and `dro/X/error` at the same place.
 void show_servo(Frame& f, AxisId axis, const Rect& where) {
   const AxisState& a = f.now.axes[axis.index];
   if (a.loop == Loop::none) return;
   const std::string& name = f.catalog.axes[axis.index].name;
   const bool known = f.connected() && a.position_known;
-  const NumberText command = format_position(a.command, f.tab.unit(axis));
-  const NumberText error = format_position(a.following_error(), f.tab.unit(axis));
+  const NumberText command = format_position(a.command, f.tab.settings.unit(axis));
+  const NumberText error = format_position(a.following_error(), f.tab.settings.unit(axis));
   const auto register_value = [&](const Path& id, std::string_view label, std::string_view value) {
     show(f.ui, {id, Kind::text, label, known ? value : "?", {}, false, {}}, where);
   };

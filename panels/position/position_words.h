@@ -1,5 +1,5 @@
 #pragma once
-// Small type beside or under the number of an axis.
+// Draws and makes the small type beside or below the number of an axis.
 #include <imgui.h>
 
 #include "gui/model/units_format.h"
@@ -17,8 +17,8 @@ struct Caption {
 };
 /// The origin of the number, or its fault. `brief`: without the time.
 Caption about_number(gui::Frame& frame, AxisId axis, bool brief = false);
-/// Draws mark and words from `at` on; the brief words if the others do not fit. Registers `dro/X/provenance`.
-/// Returns their width in pixels.
+/// Draws mark and words from `at` on, the brief words if the long words do not fit. Registers
+/// `dro/X/provenance`. Returns their width in pixels.
 float draw_about_number(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px);
 /// "2400 steps" behind a real unit; else empty.
 gui::NumberText steps_behind(const gui::Frame& frame, AxisId axis);
@@ -28,11 +28,11 @@ gui::NumberText where_to(const gui::Frame& frame, AxisId axis, bool whole);
 /// 000/s, queue 12", "queue 12"; a servo axis adds its distance from the command. Returns its width in
 /// pixels; 0: nothing, or no room for any.
 float draw_at_work(gui::Frame& frame, AxisId axis, ImVec2 at, float room_px, bool right_aligned);
-/// draw_at_work() has something to show.
+/// Whether draw_at_work() would draw words.
 bool shows_work(const gui::Frame& frame, AxisId axis);
-/// "5.000/s", beside a position that shows the unit.
+/// "5.000/s", for a place beside a position that shows the unit.
 gui::NumberText format_brief_speed(Pps speed, const gui::DisplayUnit& unit);
-/// The trustworthiness of the number.
+/// How far the number can be trusted.
 gui::DigitsState digits_state(const Snapshot& now, std::size_t axis, Instant clock);
 /// The number to show: "-" before any was received.
 gui::NumberText shown_position(const AxisState& state, const gui::DisplayUnit& unit);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float height = 16, numbers = 44, beside_numbers = 6;
 
-/// Positions along the bar: the smaller shown number at the left.
+/// The positions along the bar, with the smaller shown number at the left.
 struct Scale {
   double low = 0, high = 1;  ///< as shown
   float left = 0, right = 1;
@@ -63,7 +63,8 @@ void draw_triangle(Ui& ui, float x, float top, ImU32 colour) {
                                                 ImVec2(x - w, top + h), colour);
 }
 
-/// Where the axis would come to rest if stopped now, with its ramp; nothing while the ramp is unknown.
+/// The position at which the axis would come to rest if stopped now, with its ramp; nullopt while the ramp is
+/// unknown.
 std::optional<Steps> would_stop_at(const Tab& tab, AxisId axis) {
   const AxisState& a = tab.now().axes[axis.index];
   const Catalog& catalog = tab.catalog();
@@ -74,7 +75,7 @@ std::optional<Steps> would_stop_at(const Tab& tab, AxisId axis) {
   return Steps(a.position.value + std::llround(*way * a.direction));
 }
 
-/// A split tick, distinct from the target; red beyond an end.
+/// Draws a split tick, distinct from the target; it is red beyond an end.
 void draw_stop_mark(Ui& ui, float x, float middle, ImU32 colour) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   for (const float side : {-1.0f, 1.0f})
@@ -97,9 +98,9 @@ void draw_where_it_would_stop(Ui& ui, const Tab& tab, AxisId axis, const Scale& 
   if (!stop) return;
   const AxisState& a = tab.now().axes[axis.index];
   const bool past = a.travel.past(a.direction > 0 ? Sign::plus : Sign::minus, *stop).value > 0;
-  const float x = scale.x(from_steps(*stop, tab.unit(axis)));
+  const float x = scale.x(from_steps(*stop, tab.settings.unit(axis)));
   draw_stop_mark(ui, x, middle, ui[past && a.travel_holds() ? Tone::fault : Tone::ink]);
-  const NumberText words = format_with_unit(*stop, tab.unit(axis));
+  const NumberText words = format_with_unit(*stop, tab.settings.unit(axis));
   show(ui,
        {Path("dro/{}/stop", tab.catalog().axes[axis.index].name),
         Kind::text,
@@ -118,7 +119,7 @@ Tone tone_of_position(const Tab& tab, AxisId axis) {
 }  // namespace
 
 NumberText travel_words(const Tab& tab, AxisId axis) {
-  const DisplayUnit& unit = tab.unit(axis);
+  const DisplayUnit& unit = tab.settings.unit(axis);
   const Travel& t = tab.now().axes[axis.index].travel;
   NumberText words;
   if (!t.any()) return words.append("none"), words;
@@ -160,7 +161,7 @@ void draw_travel_bar(Frame& f, AxisId axis, ImVec2 at, float width) {
   const AxisState& a = f.now.axes[axis.index];
   if (!a.travel.any()) return;
   Ui& ui = f.ui;
-  const DisplayUnit& unit = f.tab.unit(axis);
+  const DisplayUnit& unit = f.tab.settings.unit(axis);
   End low, high;
   Scale scale = scale_of(a, unit, low, high);
   const float aside = ui.px(numbers + beside_numbers), middle = std::floor(at.y + ui.px(height / 2)) + 0.5f;
@@ -186,7 +187,7 @@ void draw_travel_bar(Frame& f, AxisId axis, ImVec2 at, float width) {
 void draw_travel_line(Ui& ui, const Tab& tab, AxisId axis, ImVec2 at, float width) {
   const AxisState& a = tab.now().axes[axis.index];
   if (!a.travel.any()) return;
-  const DisplayUnit& unit = tab.unit(axis);
+  const DisplayUnit& unit = tab.settings.unit(axis);
   End low, high;
   Scale scale = scale_of(a, unit, low, high);
   const float y = std::floor(at.y) + 0.5f, tick = ui.px(4);

@@ -19,9 +19,9 @@ namespace {
 
 constexpr std::string_view own_conversion = "another conversion";
 
-/// The axis's load by its profile; empty: none, or incomplete.
+/// The load of the axis in the profile; empty: none, or incomplete.
 std::string_view unit_chosen(const Frame& f, std::size_t axis) {
-  const AxisProfile& request = f.tab.profile.axes[axis];
+  const AxisProfile& request = f.tab.settings.profile.axes[axis];
   if (request.unit_choice == own_unit_choice && request.own_unit.per_step != 0) return request.own_unit.name;
   for (const UnitChoice& choice : f.catalog.units)
     if (choice.label == request.unit_choice) return choice.unit;
@@ -47,7 +47,7 @@ std::string own_unit(const Frame& f) {
 }
 
 bool shows_real(const Frame& f) {
-  return !f.tab.profile.unit.empty() && f.tab.profile.unit != f.catalog.step_word;
+  return !f.tab.settings.profile.unit.empty() && f.tab.settings.profile.unit != f.catalog.step_word;
 }
 
 ButtonOptions opener_options() {
@@ -58,8 +58,8 @@ ButtonOptions opener_options() {
 }
 
 void use(Frame& f, std::string unit) {
-  f.tab.profile.unit = std::move(unit);
-  f.tab.profile_edited();
+  f.tab.settings.profile.unit = std::move(unit);
+  f.tab.settings.edited();
 }
 
 }  // namespace
@@ -68,9 +68,9 @@ void use(Frame& f, std::string unit) {
 std::string_view shown_unit(const Frame& f) {
   const std::string_view real = real_unit(f);
   if (shows_real(f) && !real.empty()) return real;
-  const std::string& first = f.tab.unit(AxisId{0}).name;
+  const std::string& first = f.tab.settings.unit(AxisId{0}).name;
   for (std::size_t i = 1; i < f.catalog.axes.size(); ++i)
-    if (f.tab.unit(AxisId{static_cast<std::uint8_t>(i)}).name != first) return f.catalog.step_word;
+    if (f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(i)}).name != first) return f.catalog.step_word;
   return first;
 }
 
@@ -81,7 +81,7 @@ float unit_chooser_width(const Frame& f) {
 
 void UnitChooser::draw_axis(Frame& f, std::size_t i) {
   const AxisInfo& axis = f.catalog.axes[i];
-  AxisProfile& request = f.tab.profile.axes[i];
+  AxisProfile& request = f.tab.settings.profile.axes[i];
   const std::string counted = counted_unit(f.catalog, f.now, f.catalog.step_word, static_cast<int>(i));
   std::vector<std::string_view> names{counted};
   int chosen = 0;
@@ -111,7 +111,7 @@ void UnitChooser::draw_axis(Frame& f, std::size_t i) {
   toggle.tip = "The real unit counts opposite to the steps.";
   if (toggle_lamp(f.ui, Path("dro/unit/reversed/{}", axis.name), "reversed", toggle).clicked) {
     request.reversed = !request.reversed;
-    use(f, f.tab.profile.unit);
+    use(f, f.tab.settings.profile.unit);
   }
   if (request.unit_choice != own_unit_choice) return;
   gap(f.ui, 4);
@@ -125,7 +125,7 @@ void UnitChooser::draw(Frame& f) {
   const Touch t = button(ui, "dro/unit", shown_unit(f), opener);
   float rows = 3.1f + 1.9f * static_cast<float>(f.catalog.axes.size());
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i)
-    if (f.tab.profile.axes[i].unit_choice == own_unit_choice) rows += OwnUnitForm::rows;
+    if (f.tab.settings.profile.axes[i].unit_choice == own_unit_choice) rows += OwnUnitForm::rows;
   if (!begin_popup(ui, "unit", t, 492, rows)) return;
   const std::string_view real = real_unit(f);
   if (popup_row(ui, "dro/unit/steps", own_unit(f), "as the controller counts", !shows_real(f)))

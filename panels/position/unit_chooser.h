@@ -18,7 +18,7 @@ class UnitChooser {
 };
 /// The unit of positions: "mm", "pulses"; if the axes differ, the unit of most of them.
 std::string_view shown_unit(const gui::Frame& frame);
-/// Logical.
+/// The width, logical.
 float unit_chooser_width(const gui::Frame& frame);
 
 }  // namespace hw::panels

@@ -1,5 +1,5 @@
 #pragma once
-// Small type beside a number, in as many words as fit.
+// Draws small type beside a number, in as many words as fit.
 #include <cmath>
 
 #include "gui/surface/ui.h"
@@ -9,8 +9,8 @@ namespace hw::panels {
 
 inline constexpr int least_words = 4;
 
-/// Draws one line of small type: `words(0)`, or the next shorter up to `words(least_words)`, or nothing if
-/// none fits. Returns its width.
+/// Draws a line of small type: `words(0)`, or the next shorter words up to `words(least_words)`, or nothing
+/// if none fits. Returns its width.
 template <class Words>
 float draw_what_fits(gui::Ui& ui, ImVec2 at, float room, bool right_aligned, const Words& words) {
   for (int brevity = 0; brevity <= least_words; ++brevity) {

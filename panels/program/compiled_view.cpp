@@ -40,7 +40,7 @@ void CompiledView::follow(ProgramTexts& texts, int slot) {
 
 void CompiledView::draw(Frame& f, int slot, float width, float height) {
   Ui& ui = f.ui;
-  ProgramTexts& texts = f.tab.desk().texts;
+  ProgramTexts& texts = f.tab.desk().programs.texts;
   follow(texts, slot);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   show(ui, {"program/listing", Kind::text, "Compiled program", whole_, {}, false, {}},

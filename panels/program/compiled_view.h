@@ -1,5 +1,6 @@
 #pragma once
-// The compiled program: the controller's low-level lines, each with its source line. Ids: `program/listing`.
+// Shows the compiled program: the controller's low-level lines, each with its source line. Ids:
+// `program/listing`.
 #include <string>
 #include <vector>
 

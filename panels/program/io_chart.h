@@ -1,5 +1,5 @@
 #pragma once
-// Time charts of outputs and inputs. Ids: `rehearsal/io/1`, `rehearsal/io/2`, in their order.
+// Draws time charts of outputs and inputs. Ids: `rehearsal/io/1`, `rehearsal/io/2`, in their order.
 #include <optional>
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace hw::panels {
 
-/// Draws at ImGui's cursor, over its width. `now_s`: progress of the run; none: not running.
+/// Draws at ImGui's cursor, over the remaining width. `now_s`: progress of the run; nullopt: no run.
 void draw_io_chart(gui::Ui& ui, const std::vector<IoLane>& lanes, double duration_s,
                    std::optional<double> now_s);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The outputs and inputs seen in a rehearsal, as a time line each. Pure.
+// Makes a time line for each output and input seen in a rehearsal. Pure.
 #include <string>
 #include <vector>
 
@@ -18,8 +18,8 @@ struct IoLane {
   std::string words;  ///< in words: "on from 1.3 s to 1.4 s, looked at after 0.2 s"
 };
 
-/// In order of first use. Spans closer together than `finest` of the whole are merged: the gap would be
-/// invisible.
+/// The lanes in order of first use. Spans closer together than `finest` of the whole are merged, because the
+/// gap would be invisible.
 std::vector<IoLane> io_lanes(const Rehearsal& rehearsal, double finest = 1.0 / 256);
 
 }  // namespace hw::panels

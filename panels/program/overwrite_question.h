@@ -5,7 +5,7 @@
 
 namespace hw::panels {
 
-/// Pixels, over the width of the panel; 0: no question.
+/// Height of the question over the width of the panel, in pixels; 0: no question.
 [[nodiscard]] float overwrite_question_height(const gui::Frame& frame);
 void draw_overwrite_question(gui::Frame& frame, float top, float height);
 

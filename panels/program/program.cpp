@@ -59,20 +59,20 @@ void Program::draw(Frame& f) {
 
 void Program::follow(Frame& f) {
   Desk& desk = f.tab.desk();
-  describe_what_came(f);
+  report_outcome(f);
   for (const auto& path : desk.take_dropped("program")) ask_or_open(f, path);
-  if (const int line = std::exchange(desk.wanted_line, -1); line >= 0)
-    editor_.go_to(desk.texts.chosen(), line, 0);
+  if (const int line = std::exchange(desk.programs.wanted_line, -1); line >= 0)
+    editor_.go_to(desk.programs.texts.chosen(), line, 0);
   if (const double due = desk.autosave_due_in(f.clock); due >= 0) f.ui.wake_in(due + 0.01);
   find_why_not_run(f);
 }
 
 static std::string_view why_not_simulate(const Frame& f) {
   Desk& desk = f.tab.desk();
-  const int slot = desk.texts.chosen();
-  if (!desk.language()) return "This model has no rehearsal.";
-  if (desk.texts.text(slot).empty()) return "The program is empty.";
-  if (desk.rehearsals.under_way(desk.texts.start_of(slot))) return "Calculating.";
+  const int slot = desk.programs.texts.chosen();
+  if (!desk.programs.language()) return no_rehearsal;
+  if (desk.programs.texts.text(slot).empty()) return "The program is empty.";
+  if (desk.programs.rehearsals.under_way(desk.programs.texts.start_of(slot))) return "Calculating.";
   return why_not_rehearse_now(f.now, f.catalog);
 }
 
@@ -82,13 +82,13 @@ void Program::shortcuts(Frame& f) {
     if (why_not_run_.empty())
       run(f, go_on_or(f, RunRequest::run));
     else
-      f.toast(Severity::warn, std::string(why_not_run_.view()), &f.tab.desk().texts);
+      f.toast(Severity::warn, std::string(why_not_run_.view()), &f.tab.desk().programs.texts);
   }
   if (keys.pressed(Command::simulate)) {
     if (const std::string_view why = why_not_simulate(f); !why.empty())
-      f.toast(Severity::warn, std::string(why), &f.tab.desk().texts);
+      f.toast(Severity::warn, std::string(why), &f.tab.desk().programs.texts);
     else
-      f.tab.desk().rehearse(f.now, f.bench);
+      f.tab.desk().programs.requests.rehearse(f.now, f.bench);
   }
   if (keys.pressed(Command::save)) save(f);
   if (keys.pressed(Command::open)) ask_open(f);
@@ -97,7 +97,7 @@ void Program::shortcuts(Frame& f) {
 // ---- toolbar
 
 void Program::find_why_not_run(const Frame& f) {
-  ProgramTexts& texts = f.tab.desk().texts;
+  ProgramTexts& texts = f.tab.desk().programs.texts;
   why_not_run_ = why_none_runs(f);
   if (!why_not_run_.empty() || is_under_way(f.now.program)) return;
   if (texts.text(texts.chosen()).empty())
@@ -111,7 +111,7 @@ void Program::draw_toolbar(Frame& f) {
   const ImVec2 at = begin_toolbar(f);
   const auto next = [&] { ImGui::SameLine(0, ui.px(8)); };
   RunBarLook look{.why_not = why_not_run_, .keys = shows_keys(f)};
-  if (f.tab.desk().language()) look.rehearsed = rehearsed(f);
+  if (f.tab.desk().programs.language()) look.rehearsed = rehearsed(f);
   run(f, run_bar(f, "program", look));
   next();
   draw_simulate(f);
@@ -123,14 +123,14 @@ void Program::draw_toolbar(Frame& f) {
     draw_memory(f, left);
   end_toolbar(f, at);
   const Rect row{at, ImVec2(ui.px(f.area.right()), ImGui::GetCursorScreenPos().y)};
-  const ProgramTexts& texts = f.tab.desk().texts;
+  const ProgramTexts& texts = f.tab.desk().programs.texts;
   if (const auto once = doubt_.draw(f, "program", row, texts.text(texts.chosen()));
       once.request != RunRequest::none)
     begin_run(f, once.request, once.agreed);
 }
 
 void Program::run(Frame& f, RunRequest request) {
-  const ProgramTexts& texts = f.tab.desk().texts;
+  const ProgramTexts& texts = f.tab.desk().programs.texts;
   if (!doubt_.holds_back(f, request, texts.text(texts.chosen()))) begin_run(f, request);
 }
 
@@ -142,17 +142,17 @@ void Program::draw_simulate(Frame& f) {
               .tip = "Runs the text in a simulation; nothing moves.",
               .height = 40})
           .clicked)
-    f.tab.desk().rehearse(f.now, f.bench);
+    f.tab.desk().programs.requests.rehearse(f.now, f.bench);
 }
 
-// Follows the typing: the memory used by the text, out of the total. Without room the words become fewer,
-// then go.
+// Draws the memory that the text takes, of the total, while the user types. If the words do not fit, they
+// become fewer and then disappear.
 void Program::draw_memory(Frame& f, float left) {
   const int capacity = f.catalog.program.capacity;
   if (capacity <= 0) return;
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
-  const int cost = desk.texts.cost(desk.texts.chosen());
+  const int cost = desk.programs.texts.cost(desk.programs.texts.chosen());
   const bool over = cost > capacity;
   const NumberText number = format_number(cost, 0), all = format_number(capacity, 0);
   const Path beyond(" of {}: {} too many", all.view(), cost - capacity);
@@ -167,7 +167,7 @@ void Program::draw_memory(Frame& f, float left) {
   for (const std::string_view fewer : {brief.view(), std::string_view()})
     if (left_of(rest) < left) rest = fewer;
   const float words_left = left_of(rest);
-  if (words_left >= left) {  // else Check reports it
+  if (words_left >= left) {  // otherwise Check reports it
     draw_text_line(ui, words_left, right, middle, Face::body_bold, ui[over ? Tone::fault : Tone::ink],
                    number);
     draw_text_line(ui, words_left + number_width, right + 1, middle, Face::body,
@@ -188,29 +188,29 @@ void Program::draw_memory(Frame& f, float left) {
   }
 }
 
-// ---- what buttons do
+// ---- actions of the buttons
 
 void Program::start(Frame& f, ProgramJob::Goal goal) {
   Desk& desk = f.tab.desk();
   const auto send = [&](IntentBody body) { return f.send_and_watch(std::move(body)); };
-  desk.job.begin(goal, desk.texts.chosen(), desk.texts, f.now, f.catalog, send);
+  desk.programs.job.begin(goal, desk.programs.texts.chosen(), desk.programs.texts, f.now, f.catalog, send);
 }
 
 void Program::check(Frame& f) {
   Desk& desk = f.tab.desk();
-  const int slot = desk.texts.chosen();
-  const ProgramReport& report = desk.texts.report(slot);
+  const int slot = desk.programs.texts.chosen();
+  const ProgramReport& report = desk.programs.texts.report(slot);
   int errors = 0;
   for (const Problem& p : report.problems) errors += p.error;
-  f.console.toasts().withdraw(&desk.texts);
+  f.console.toasts().withdraw(&desk.programs.texts);
   const auto report_check = [&](Severity severity, std::string words) {
-    f.toast(severity, std::move(words), &desk.texts);
+    f.toast(severity, std::move(words), &desk.programs.texts);
   };
   if (errors == 0 && f.catalog.program.capacity <= 0) return report_check(Severity::ok, "No error.");
   if (errors == 0)
-    return report_check(
-        Severity::ok, fmt::format("No error. {} of {} {}.", desk.texts.cost(slot), f.catalog.program.capacity,
-                                  f.catalog.program.capacity_unit));
+    return report_check(Severity::ok,
+                        fmt::format("No error. {} of {} {}.", desk.programs.texts.cost(slot),
+                                    f.catalog.program.capacity, f.catalog.program.capacity_unit));
   for (const Problem& p : report.problems) {
     if (!p.error) continue;
     editor_.go_to(slot, p.line, p.column);

@@ -1,5 +1,5 @@
 #pragma once
-// The program: text, cost, faults, rehearsal, and the controls that run it.
+// The program panel: text, cost, faults, rehearsal, and the controls that run it.
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -16,6 +16,8 @@
 #include "panels/program/threads.h"
 
 namespace hw::panels {
+
+inline constexpr std::string_view text_stays = "There is no link. The text stays here.";
 
 class Program final : public gui::Panel {
  public:
@@ -62,7 +64,7 @@ class Program final : public gui::Panel {
   Threads threads_;
   RunDoubt doubt_;
   gui::FileDialog open_, save_;
-  bool rehearsal_open_ = false;  ///< medium and narrow windows: the column instead of the line
+  bool rehearsal_open_ = false;  ///< medium and narrow windows: true: the column is open instead of the line
   bool asking_replace_ = false, asking_clear_ = false;
   /// The question before a file changed by another program is overwritten. Shared with the job that finds the
   /// change.
@@ -73,12 +75,12 @@ class Program final : public gui::Panel {
     std::string question;
   };
   std::shared_ptr<Overwrite> overwrite_ = std::make_shared<Overwrite>();
-  std::filesystem::path to_open_;  ///< the file the question is about; empty: a new text instead
+  std::filesystem::path to_open_;  ///< the file that the question is about; empty: a new text
   std::string question_, words_;
   gui::ProgramNote note_;
   std::string note_time_;
   int next_problem_ = -1;
-  FixedText<240> why_not_run_;  ///< and when it ends; empty: it may be run
+  FixedText<240> why_not_run_;  ///< why the text cannot be run, and until when; empty: it can
 };
 
 }  // namespace hw::panels

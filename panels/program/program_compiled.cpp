@@ -1,4 +1,5 @@
-// The row of a controller that stores programs compiled: the compiled text, sending it and reading it back.
+// Draws the row of a controller that stores programs compiled: shows the compiled text, sends it and reads it
+// back.
 #include "gui/model/tab.h"
 #include "gui/widgets/button.h"
 #include "gui/widgets/text.h"
@@ -15,9 +16,9 @@ void Program::draw_compiled_row(Frame& f) {
   Desk& desk = f.tab.desk();
   constexpr float height = 40;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const std::string_view busy = !f.connected()    ? "There is no link. The text stays here."
-                                : desk.job.busy() ? "A program is being transferred."
-                                                  : "";
+  const std::string_view busy = !f.connected()             ? text_stays
+                                : desk.programs.job.busy() ? program_in_transfer
+                                                           : "";
   ButtonOptions view{.style = ButtonStyle::quiet, .tip = "The lines that are stored in the controller."};
   view.on = view_compiled_;
   const ButtonOptions quiet{.style = ButtonStyle::quiet, .disabled = busy};
@@ -31,7 +32,7 @@ void Program::draw_compiled_row(Frame& f) {
   next();
   if (button(ui, "program/upload", "Upload", quiet).clicked) start(f, ProgramJob::Goal::fetch);
   next();
-  if (button(ui, "program/empty", "Clear in controller", quiet).clicked) asking_clear_ = true;
+  if (button(ui, "program/empty", "Empty in controller", quiet).clicked) asking_clear_ = true;
   next();
   if (button(ui, "program/new", "New", {.style = ButtonStyle::quiet}).clicked) ask_or_empty(f);
   draw_line_across(f, at.y + ui.px(height) - ui.hair());

@@ -15,7 +15,7 @@ using namespace gui;
 
 // A text from elsewhere (a file, the controller) is one undoable change.
 void ProgramEditor::take_changes(Frame& f, int slot) {
-  ProgramTexts& texts = f.tab.desk().texts;
+  ProgramTexts& texts = f.tab.desk().programs.texts;
   Slot& s = slots_[static_cast<std::size_t>(slot)];
   if (s.version == texts.version(slot)) return;
   const bool first = s.version == 0;
@@ -42,7 +42,7 @@ std::size_t ProgramEditor::live_lines_of_threads(const Frame& f, ProgramTexts& t
 
 void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
   Ui& ui = f.ui;
-  ProgramTexts& texts = f.tab.desk().texts;
+  ProgramTexts& texts = f.tab.desk().programs.texts;
   take_changes(f, slot);
   if (comment_mark_.empty()) comment_mark_ = {f.catalog.program.comment, ' '};
   const ProgramState& p = f.now.program;
@@ -50,7 +50,7 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
   look.report = &texts.report(slot);
   look.cost_title = f.catalog.program.capacity_unit;
   look.comment_mark = comment_mark_;
-  const RunFollower::Place place = f.tab.desk().follower.place();
+  const RunFollower::Place place = f.tab.desk().programs.follower.place();
   if (place.slot == slot) {
     look.live_line = texts.live_line(slot, place.command);
     look.live_reported = p.command_reported;
@@ -74,9 +74,9 @@ void ProgramEditor::draw(Frame& f, int slot, float width, float height) {
   if (s.editor.draw(ui, "program/text", look).edited) {
     texts.set_text(slot, s.editor.text());
     s.version = texts.version(slot);
-    ui.wake_in(0);  // colours and costs of the latest typing
+    ui.wake_in(0);  // shows colours and costs of the latest typing
   }
-  f.tab.desk().caret_line = s.editor.model().caret().line;
+  f.tab.desk().programs.caret_line = s.editor.model().caret().line;
   ImGui::EndChild();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The editor of one controller's program texts: the toolkit's editor, fed from the texts and the snapshot.
-// Each slot keeps its own caret, selection and undo.
+// The editor of a controller's program texts: the editor widget, fed from the texts and the snapshot. Each
+// slot keeps its own caret, selection and undo.
 #include <array>
 #include <string>
 
@@ -26,7 +26,7 @@ class ProgramEditor {
 
   struct Slot {
     gui::CodeEditor editor;
-    std::uint64_t version = 0;  ///< of ProgramTexts, as shown by the editor
+    std::uint64_t version = 0;  ///< version of ProgramTexts that the editor shows
   };
   std::size_t live_lines_of_threads(const gui::Frame& frame, gui::ProgramTexts& texts);
 

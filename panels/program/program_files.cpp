@@ -1,4 +1,4 @@
-// The row of slots and files: the controller's program, its text, and the file.
+// Draws the row of slots and files: the controller's program, its text, and the file.
 #include <array>
 #include <cmath>
 
@@ -30,16 +30,17 @@ void Program::draw_slots(Frame& f) {
   const float slots_left = ui.px(f.area.x + 16);
   float x = slots_left;
   const std::string_view word = f.catalog.program.slot_word;
-  if (f.area.width >= 800 || desk.texts.count() == 1) {
+  if (f.area.width >= 800 || desk.programs.texts.count() == 1) {
     draw_text_line(ui, x, ui.px(f.area.right()), middle, Face::body, ui[Tone::ink2], word);
     x += std::ceil(text_width(ui, Face::body, word)) + ui.px(8);
   }
-  const auto many = std::min<std::size_t>(static_cast<std::size_t>(desk.texts.count()), digits.size());
+  const auto many =
+      std::min<std::size_t>(static_cast<std::size_t>(desk.programs.texts.count()), digits.size());
   if (many > 1) {
     ImGui::SetCursorScreenPos(ImVec2(x, at.y + ui.px(4)));
-    const int picked =
-        segment(ui, "program/slot", std::span(digits.data(), many), desk.texts.chosen(), {.cell_width = 32});
-    if (picked >= 0) desk.texts.choose(picked);
+    const int picked = segment(ui, "program/slot", std::span(digits.data(), many),
+                               desk.programs.texts.chosen(), {.cell_width = 32});
+    if (picked >= 0) desk.programs.texts.choose(picked);
     ImGui::SameLine(0, ui.px(16));
     x = ImGui::GetCursorScreenPos().x;
   }
@@ -53,10 +54,10 @@ void Program::draw_slots(Frame& f) {
   ImGui::SetCursorScreenPos(ImVec2(at.x, at.y + ui.px(slots_height)));
 }
 
-/// The choice among the programs of one text: Run starts the chosen one, and Simulate tries it. Returns the
-/// right end.
+/// Draws the choice among the programs of a text. Run starts the chosen program, and Simulate tries it.
+/// Returns the right end.
 float Program::draw_start(Frame& f, float x, float top) {
-  ProgramTexts& texts = f.tab.desk().texts;
+  ProgramTexts& texts = f.tab.desk().programs.texts;
   const std::vector<int>& programs = texts.report(texts.chosen()).programs;
   const bool only_first = programs.size() == 1 && programs.front() == 0;
   if (f.catalog.program.threads == 0 || programs.empty() || only_first) return x;
@@ -75,10 +76,10 @@ float Program::draw_start(Frame& f, float x, float top) {
   return ImGui::GetCursorScreenPos().x;
 }
 
-// Without room, "edited" goes first, then the name, which the tooltip of the slots still shows.
+// If they do not fit, "edited" goes first, then the name, which the tooltip of the slots still shows.
 void Program::draw_file_name(Frame& f, Rect in, float slots_left) {
   Ui& ui = f.ui;
-  const ProgramTexts& texts = f.tab.desk().texts;
+  const ProgramTexts& texts = f.tab.desk().programs.texts;
   const std::string name = texts.file_name(texts.chosen());
   const bool edited = texts.edited(texts.chosen());
   const std::string_view shown = !name.empty() ? std::string_view(name) : edited ? "not in a file" : "";
@@ -113,8 +114,8 @@ constexpr FileButton file_buttons[] = {{"program/check", "Check", "Check", ""},
                                        {"program/save", "Save", "Save", "ctrl S"},
                                        {"program/store", "Store in controller", "Store", ""}};
 
-/// Programs stored compiled are checked, sent and stored by the buttons of their own row: see
-/// draw_compiled_row().
+/// Whether a button is shown. Programs stored compiled have buttons to check, send and store in a row of
+/// their own: see draw_compiled_row().
 bool is_there(const FileButton& b, const Frame& f) {
   const std::string_view id = b.id;
   if (id == "program/check") return !f.catalog.program.compiled;
@@ -139,19 +140,18 @@ void Program::draw_file_buttons(Frame& f) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
   const bool roomy = f.area.width >= 800;
-  const std::string_view no_link =
-      f.connected() ? std::string_view() : "There is no link. The text stays here.";
+  const std::string_view no_link = f.connected() ? std::string_view() : text_stays;
   float too_much = ImGui::GetCursorScreenPos().x + file_buttons_width(f) - ui.px(f.area.right() - 4);
   for (const FileButton& b : file_buttons) {
     if (!is_there(b, f)) continue;
     ButtonOptions look = file_button_look(f, b.keys);
     const std::string_view id = b.id;
-    if (too_much > 0) {  // below the smallest window of the look: the first buttons go
+    if (too_much > 0) {  // in a window smaller than the design allows, the first buttons are left out
       too_much -= ui.px(button_width(ui, roomy ? b.label : b.short_label, look));
       continue;
     }
     if (id == "program/store")
-      look.disabled = !no_link.empty() ? no_link : desk.job.busy() ? "A program is being transferred." : "";
+      look.disabled = !no_link.empty() ? no_link : desk.programs.job.busy() ? program_in_transfer : "";
     const bool clicked = button(ui, id, roomy ? b.label : b.short_label, look).clicked;
     ImGui::SameLine(0, 0);
     if (!clicked) continue;
@@ -172,14 +172,14 @@ void Program::draw_more(Frame& f) {
                                                             "Load from controller",
                                                             "Empty in controller"};
   Desk& desk = f.tab.desk();
-  // Else the controller stores none, or the row for compiled programs has the last two.
+  // Otherwise the controller stores none, or the row for compiled programs has the last two buttons.
   const bool moves_texts = f.catalog.program.capacity > 0 && !f.catalog.program.compiled;
   const std::size_t many = moves_texts ? names.size() : 5;
   switch (menu(f.ui, "program/more", "More", std::span(names.data(), many))) {
     case 0: ask_save(f); break;
     case 1: ask_or_empty(f); break;
-    case 2: editor_.editor(desk.texts.chosen()).ask_find(); break;
-    case 3: editor_.editor(desk.texts.chosen()).toggle_comment(); break;
+    case 2: editor_.editor(desk.programs.texts.chosen()).ask_find(); break;
+    case 3: editor_.editor(desk.programs.texts.chosen()).toggle_comment(); break;
     case 4: TextToBlocks::show(f); break;
     case 5: start(f, ProgramJob::Goal::fetch); break;
     case 6: asking_clear_ = true; break;
@@ -192,7 +192,7 @@ void Program::ask_open(const Frame& f) {
 }
 
 void Program::ask_save(const Frame& f) {
-  const ProgramTexts& texts = f.tab.desk().texts;
+  const ProgramTexts& texts = f.tab.desk().programs.texts;
   const auto& path = texts.file(texts.chosen());
   const auto suggested = fmt::format("program{}", f.catalog.program.file_suffix);
   save_.ask_save("Save the program", path.empty() ? save_.folder() / suggested : path,
@@ -200,7 +200,7 @@ void Program::ask_save(const Frame& f) {
 }
 
 void Program::save(Frame& f) {
-  ProgramTexts& texts = f.tab.desk().texts;
+  ProgramTexts& texts = f.tab.desk().programs.texts;
   const auto& path = texts.file(texts.chosen());
   if (path.empty()) return ask_save(f);
   write(f, texts.chosen(), path, false);
@@ -208,7 +208,7 @@ void Program::save(Frame& f) {
 
 namespace {
 
-/// Empty: the file has its known content, or does not exist. Else the content that would be overwritten.
+/// The content that would be overwritten; empty: the file has its known content, or does not exist.
 std::string other_text_in(const std::filesystem::path& path, const std::optional<std::string>& known) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none)) return {};
@@ -224,15 +224,16 @@ std::string other_text_in(const std::filesystem::path& path, const std::optional
 
 }  // namespace
 
-/// `overwrite`: whatever the file holds now.
+/// Writes the file. `overwrite`: even if its content is not known.
 void Program::write(Frame& f, int slot, const std::filesystem::path& path, bool overwrite) {
   Desk& desk = f.tab.desk();
   struct Saved {
     std::string text, changed;
     Result<> result;
   };
-  desk.worker().run(
-      [path, overwrite, file = desk.texts.to_save(slot), known = desk.texts.known_in_file(slot)]() mutable {
+  desk.work.worker().run(
+      [path, overwrite, file = desk.programs.texts.to_save(slot),
+       known = desk.programs.texts.known_in_file(slot)]() mutable {
         Saved saved;
         if (!overwrite) saved.changed = other_text_in(path, known);
         if (!saved.changed.empty()) return saved;
@@ -240,21 +241,21 @@ void Program::write(Frame& f, int slot, const std::filesystem::path& path, bool 
         saved.text = std::move(file.text);
         return saved;
       },
-      [&console = f.console, &texts = desk.texts, asks = overwrite_, slot, path](Saved saved) {
+      [&console = f.console, &texts = desk.programs.texts, asks = overwrite_, slot, path](Saved saved) {
         if (!saved.changed.empty()) {
           *asks = {true, slot, path, std::move(saved.changed)};
           return;
         }
-        console.toasts().withdraw(asks.get());  // why it was not saved before
+        console.toasts().withdraw(asks.get());  // the message why the text was not saved
         if (!saved.result) return console.toast(Severity::fault, saved.result.error().sentence(), asks.get());
         texts.saved(slot, path, saved.text);
         console.toast(Severity::ok, fmt::format("Saved as {}.", path.string()));
       },
-      desk.alive());
+      desk.work.alive());
 }
 
 void Program::ask_or_open(Frame& f, const std::filesystem::path& path) {
-  const ProgramTexts& texts = f.tab.desk().texts;
+  const ProgramTexts& texts = f.tab.desk().programs.texts;
   if (!texts.edited(texts.chosen())) return open(f, path);
   to_open_ = path;
   question_ = fmt::format("The text of {} {} has unsaved changes. {} would replace it.",
@@ -263,7 +264,7 @@ void Program::ask_or_open(Frame& f, const std::filesystem::path& path) {
 }
 
 void Program::ask_or_empty(Frame& f) {
-  ProgramTexts& texts = f.tab.desk().texts;
+  ProgramTexts& texts = f.tab.desk().programs.texts;
   if (!texts.edited(texts.chosen())) return texts.opened(texts.chosen(), {}, TextFile());
   to_open_.clear();
   question_ =
@@ -273,16 +274,17 @@ void Program::ask_or_empty(Frame& f) {
 
 void Program::open(Frame& f, const std::filesystem::path& path) {
   Desk& desk = f.tab.desk();
-  desk.worker().run([path] { return load_text(path); },
-                    [&console = f.console, &texts = desk.texts, slot = desk.texts.chosen(), path,
-                     attempt = &to_open_](Result<TextFile> file) {
-                      console.toasts().withdraw(attempt);
-                      if (!file) return console.toast(Severity::fault, file.error().sentence(), attempt);
-                      if (file->was_latin1)
-                        console.toast(Severity::plain, "The file is not in UTF-8. It was read as Latin-1.");
-                      texts.opened(slot, path, std::move(*file));
-                    },
-                    desk.alive());
+  desk.work.worker().run(
+      [path] { return load_text(path); },
+      [&console = f.console, &texts = desk.programs.texts, slot = desk.programs.texts.chosen(), path,
+       attempt = &to_open_](Result<TextFile> file) {
+        console.toasts().withdraw(attempt);
+        if (!file) return console.toast(Severity::fault, file.error().sentence(), attempt);
+        if (file->was_latin1)
+          console.toast(Severity::plain, "The file is not in UTF-8. It was read as Latin-1.");
+        texts.opened(slot, path, std::move(*file));
+      },
+      desk.work.alive());
 }
 
 void Program::draw_dialogs(Frame& f) {
@@ -293,7 +295,7 @@ void Program::draw_dialogs(Frame& f) {
                       .yes = emptied ? "Begin anew" : "Replace",
                       .no = "Keep the text"};
     if (dialog(f.ui, "program/replace", asking_replace_, what) == Answer::yes) {
-      ProgramTexts& texts = f.tab.desk().texts;
+      ProgramTexts& texts = f.tab.desk().programs.texts;
       emptied ? texts.opened(texts.chosen(), {}, TextFile()) : open(f, to_open_);
     }
   }
@@ -313,7 +315,7 @@ void Program::draw_dialogs(Frame& f) {
       write(f, overwrite_->slot, overwrite_->path, true);
   }
   if (const auto path = open_.draw(f.ui)) ask_or_open(f, *path);
-  if (const auto path = save_.draw(f.ui)) write(f, f.tab.desk().texts.chosen(), *path, true);
+  if (const auto path = save_.draw(f.ui)) write(f, f.tab.desk().programs.texts.chosen(), *path, true);
 }
 
 }  // namespace hw::panels

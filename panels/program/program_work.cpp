@@ -1,5 +1,5 @@
-// The area between the row of files and the terminal: editor, rehearsal, and below them a line on how text
-// and controller agree, or the question before a program is overwritten.
+// Draws the area between the row of files and the terminal: editor, rehearsal, and below them a line that
+// compares text and controller, or the question before a program is overwritten.
 #include <cmath>
 
 #include <fmt/core.h>
@@ -30,7 +30,7 @@ void Program::draw_work(Frame& f, float bottom) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = (bottom - at.y) / ui.scale;
-  const int slot = f.tab.desk().texts.chosen();
+  const int slot = f.tab.desk().programs.texts.chosen();
   if (height < 24) return;
   const bool column = column_fits(f) || rehearsal_open_;
   const float side = column ? rehearsal_width : 0;
@@ -43,11 +43,12 @@ void Program::draw_work(Frame& f, float bottom) {
   const float x = ui.px(f.area.right() - side);
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, at.y), ImVec2(x + ui.hair(), bottom), ui[Tone::line]);
   ImGui::SetCursorScreenPos(ImVec2(x + ui.hair(), at.y));
-  if (rehearsal_.draw_column(f, slot, side - 1, height)) f.tab.desk().rehearse(f.now, f.bench);
+  if (rehearsal_.draw_column(f, slot, side - 1, height))
+    f.tab.desk().programs.requests.rehearse(f.now, f.bench);
 }
 
-// Draws the parts below the editor, from the bottom up; returns the end of the editor. Thread controls lie
-// lowest, temporary parts highest: these take their room only from the editor.
+// Draws the parts below the editor, from the bottom up. Returns the bottom of the editor. Thread controls are
+// lowest, temporary parts highest, so that they take their height only from the editor.
 float Program::draw_below(Frame& f) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -59,7 +60,7 @@ float Program::draw_below(Frame& f) {
   if (!column_fits(f) && y - at.y - overwrite_question_height(f) > ui.px(120)) {
     y -= ui.px(line_height);
     ImGui::SetCursorScreenPos(ImVec2(at.x, y));
-    const int slot = f.tab.desk().texts.chosen();
+    const int slot = f.tab.desk().programs.texts.chosen();
     if (rehearsal_.draw_line(f, slot, rehearsal_open_)) rehearsal_open_ = !rehearsal_open_;
   }
   y = draw_message(f, at.y, y);
@@ -67,7 +68,7 @@ float Program::draw_below(Frame& f) {
   return y;
 }
 
-/// Draws a question, or the line on how text and controller agree, above `bottom`; returns its top.
+/// Draws a question, or the line that compares text and controller, above `bottom`. Returns its top.
 float Program::draw_message(Frame& f, float top, float bottom) {
   Ui& ui = f.ui;
   Desk& desk = f.tab.desk();
@@ -75,11 +76,11 @@ float Program::draw_message(Frame& f, float top, float bottom) {
     draw_overwrite_question(f, bottom - height, height);
     return bottom - height;
   }
-  const int slot = desk.texts.chosen();
-  const HeldProgram& held = desk.texts.held(slot);
+  const int slot = desk.programs.texts.chosen();
+  const HeldProgram& held = desk.programs.texts.held(slot);
   if (held.known) note_time_ = f.console.time_of_day(held.at);
-  note_ = program_note(desk.texts, slot, f.now, f.catalog.program, note_time_);
-  words_ = desk.job.words(f.catalog.program, f.now.transfer);
+  note_ = program_note(desk.programs.texts, slot, f.now, f.catalog.program, note_time_);
+  words_ = desk.programs.job.words(f.catalog.program, f.now.transfer);
   const bool roomy = bottom - top > ui.px(note_height + least_editor);
   if (!roomy || (words_.empty() && note_.sentence.empty())) return bottom;
   draw_note(f, bottom - ui.px(note_height), note_height);
@@ -103,7 +104,7 @@ void Program::draw_note(Frame& f, float top, float height) {
   draw_icon(ImGui::GetWindowDrawList(), icon, ImVec2(left + ui.px(6), middle), ui.px(12), ui[tone]);
   const std::string_view shown_words = busy ? std::string_view(words_) : std::string_view(note_.sentence);
   float right = ui.px(f.area.right() - 16);
-  const ProgramReport& report = f.tab.desk().texts.report(f.tab.desk().texts.chosen());
+  const ProgramReport& report = f.tab.desk().programs.texts.report(f.tab.desk().programs.texts.chosen());
   const float shown_end = left + ui.px(20) + std::ceil(text_width(ui, Face::body, shown_words));
   if (busy && f.now.transfer.running)
     right = draw_transfer(f, shown_end + ui.px(16), right, middle);
@@ -114,8 +115,8 @@ void Program::draw_note(Frame& f, float top, float height) {
        {ImVec2(left, top), ImVec2(right, top + ui.px(height))});
 }
 
-/// The progress and Abort; both go before the words do. There is no Abort while a program runs, because that
-/// would be stopped too.
+/// Draws the progress and Abort, which are left out before the words are. There is no Abort while a program
+/// runs, because Abort would stop the program too.
 float Program::draw_transfer(Frame& f, float left, float right, float middle) {
   constexpr std::string_view abort = "Abort";
   Ui& ui = f.ui;
@@ -137,7 +138,7 @@ float Program::draw_transfer(Frame& f, float left, float right, float middle) {
   return right - bar - ui.px(16);
 }
 
-// "2 errors, next": moves from one problem to the next.
+// Draws "2 errors, next", which moves from problem to problem.
 float Program::draw_problem_link(Frame& f, const ProgramReport& report, float right, float middle) {
   Ui& ui = f.ui;
   int errors = 0;
@@ -152,7 +153,7 @@ float Program::draw_problem_link(Frame& f, const ProgramReport& report, float ri
   if (link(ui, "program/next_problem", shown_words)) {
     next_problem_ = (next_problem_ + 1) % static_cast<int>(report.problems.size());
     const Problem& p = report.problems[static_cast<std::size_t>(next_problem_)];
-    editor_.go_to(f.tab.desk().texts.chosen(), p.line, p.column);
+    editor_.go_to(f.tab.desk().programs.texts.chosen(), p.line, p.column);
   }
   return left - ui.px(12);
 }

@@ -22,11 +22,11 @@ namespace hw::panels {
 
 using namespace gui;
 
-/// The other inputs of its words besides the outcome.
+/// Adds the inputs of the words other than the outcome.
 static void add_shown(std::string& all, const Frame& f, std::size_t axis) {
   const AxisState& state = f.now.axes[axis];
   const Travel travel = state.travel_holds() ? state.travel : Travel();
-  all += f.tab.unit(AxisId{static_cast<std::uint8_t>(axis)}).name;
+  all += f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(axis)}).name;
   fmt::format_to(std::back_inserter(all), " {} {} {} {}\n", travel.has_minus, travel.minus.value,
                  travel.has_plus, travel.plus.value);
 }
@@ -34,14 +34,14 @@ static void add_shown(std::string& all, const Frame& f, std::size_t axis) {
 // Puts the outcome into words, in the user's units; the caption names the text.
 void RehearsalCard::refresh(Frame& f, int slot) {
   Desk& desk = f.tab.desk();
-  const int started = desk.texts.start_of(slot);
-  outcome_ = desk.rehearsals.of(started);
+  const int started = desk.programs.texts.start_of(slot);
+  outcome_ = desk.programs.rehearsals.of(started);
   refresh_caption(f, slot);
   std::string& units = units_now_;  // keeps its memory from frame to frame
   units.clear();
   for (std::size_t i = 0; i < f.catalog.axes.size(); ++i) add_shown(units, f, i);
-  if (version_ == desk.rehearsals.version() && slot_ == started && units == text_of_units_) return;
-  version_ = desk.rehearsals.version();
+  if (version_ == desk.programs.rehearsals.version() && slot_ == started && units == text_of_units_) return;
+  version_ = desk.programs.rehearsals.version();
   slot_ = started;
   text_of_units_ = units;
   refresh_words(f);
@@ -49,16 +49,16 @@ void RehearsalCard::refresh(Frame& f, int slot) {
 
 void RehearsalCard::refresh_caption(const Frame& f, int slot) {
   Desk& desk = f.tab.desk();
-  const int started = desk.texts.start_of(slot);
-  const int older = desk.rehearsals.older_than_line(started, desk.texts.text(slot));
-  const HeldProgram& held = desk.texts.held(slot);
+  const int started = desk.programs.texts.start_of(slot);
+  const int older = desk.programs.rehearsals.older_than_line(started, desk.programs.texts.text(slot));
+  const HeldProgram& held = desk.programs.texts.held(slot);
   old_ = outcome_ && older >= 0;
   const ProgramState& p = f.now.program;
   const bool runs =
       f.catalog.program.threads == 0 || is_busy(f.now.threads[static_cast<std::size_t>(started)]);
   of_running_ =
       outcome_ && p.owned && p.slot == slot && p.run != RunState::idle && runs && held.text == outcome_->text;
-  if (desk.rehearsals.under_way(started))
+  if (desk.programs.rehearsals.under_way(started))
     shown_caption_ = "calculating";
   else if (!outcome_)
     shown_caption_ = "";
@@ -87,8 +87,8 @@ void RehearsalCard::refresh_words(const Frame& f) {
   time_ = exact_time(r.duration_s);
   fault_ = r.error;
   if (fault_.empty() && !r.finished)
-    fault_ =
-        fmt::format("It has not ended after {}; it may never end.", format_duration(r.duration_s).view());
+    fault_ = fmt::format("The program has not ended after {}; it may never end.",
+                         format_duration(r.duration_s).view());
   for (const RehearsedAxis& axis : r.axes) add_span(f, axis);
   stand_ = stand_words(f, *outcome_);
   if (begins_here()) stops_ = past_travel_words(f, r);
@@ -107,7 +107,7 @@ void RehearsalCard::add_span(const Frame& f, const RehearsedAxis& axis) {
   const int i = f.catalog.find_axis(axis.name);
   if (i < 0) return;
   if (axis.minimum == axis.maximum) return axes_.push_back({axis.name, "does not move"});
-  DisplayUnit unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+  DisplayUnit unit = f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(i)});
   if (axis.in_counts !=
       f.now.axes[static_cast<std::size_t>(i)].in_counts)  // the program has changed the loop
     unit = {.name = axis.in_counts ? f.catalog.loop_word : f.catalog.step_word};
@@ -128,7 +128,7 @@ bool RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
             "Simulate runs the text without moving anything, and shows its time, the travel of each axis, "
             "and its commands.");
   } else if (!outcome_->result) {
-    named_text(ui, "rehearsal/result", Face::body_medium, Tone::fault, "It cannot run.");
+    named_text(ui, "rehearsal/result", Face::body_medium, Tone::fault, "The program cannot run.");
     wrapped(ui, Face::body, Tone::ink, fault_);
   } else {
     draw_progress(f);
@@ -138,7 +138,7 @@ bool RehearsalCard::draw_column(Frame& f, int slot, float width, float height) {
     }
     const bool goes = of_running_ && !lanes_.empty();
     draw_io_chart(ui, lanes_, outcome_->result->duration_s,
-                  goes ? std::optional(f.tab.desk().follower.run_s()) : std::nullopt);
+                  goes ? std::optional(f.tab.desk().programs.follower.run_s()) : std::nullopt);
     draw_axes(f);
     again = draw_verdict(f);
     draw_events(f);
@@ -203,7 +203,7 @@ bool RehearsalCard::draw_verdict(Frame& f) {
   return again;
 }
 
-// The tick stands only if the axes would really take that path.
+// The tick is shown only if the axes would really take that path.
 bool RehearsalCard::draw_limits(Frame& f) {
   Ui& ui = f.ui;
   const bool touched = outcome_->result->limit_touched;
@@ -220,14 +220,14 @@ bool RehearsalCard::draw_limits(Frame& f) {
   const ImVec2 words_at = ImGui::GetCursorScreenPos();
   const float height = wrapped_height(ui, Face::small, stand_, right - words_at.x);
   wrapped(ui, Face::small, warns ? Tone::warn : Tone::ink2, stand_);
-  show(ui, {.id = "rehearsal/stand", .kind = Kind::text, .label = "Where it begins", .value = stand_},
+  show(ui, {.id = "rehearsal/stand", .kind = Kind::text, .label = "Start position", .value = stand_},
        {words_at, ImVec2(right, words_at.y + height)});
   gap(ui, 8);
-  const Footing footing = outcome_->stand.footing;
-  if (begins_here() || footing == Footing::unknown || footing == Footing::doubtful) return false;
-  const std::string_view why = of_running_                  ? "The program runs."
-                               : footing == Footing::moving ? "An axis is moving."
-                                                            : why_not_rehearse_now(f.now, f.catalog);
+  const StartMatch match = outcome_->start.match;
+  if (begins_here() || match == StartMatch::unknown || match == StartMatch::doubtful) return false;
+  const std::string_view why = of_running_                   ? "The program runs."
+                               : match == StartMatch::moving ? "An axis is moving."
+                                                             : why_not_rehearse_now(f.now, f.catalog);
   const bool again = button(ui, "rehearsal/again", "Rehearse from here", {.disabled = why}).clicked;
   gap(ui, 8);
   return again;
@@ -270,11 +270,11 @@ void RehearsalCard::draw_events(Frame& f) {
   if (r.events.size() > event_times_.size()) text(ui, Face::small, Tone::ink3, "and more");
 }
 
-/// On limits, for the single line.
+/// The verdict on limits, for the single line.
 RehearsalCard::Verdict RehearsalCard::verdict(const Frame& f) const {
-  if (!begins_here()) return {"begins elsewhere: limits not judged", Icon::warning};
+  if (!begins_here()) return {"begins elsewhere: limits not checked", Icon::warning};
   if (passes_travel(f, *outcome_->result)) return {"goes past your limit", Icon::warning};
-  if (!judges_limits()) return {"limits not judged", Icon::none};
+  if (!judges_limits()) return {"limits not checked", Icon::none};
   if (outcome_->result->limit_touched) return {"a limit is touched", Icon::warning};
   return {"no limit touched", Icon::check};
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The result of a rehearsal of the text: time, spans, verdict. A column beside the editor, or one line.
+// Shows the result of a rehearsal of the text: time, spans, verdict. It is a column beside the editor, or a
+// line.
 #include "gui/model/desk.h"
 #include "gui/shell/frame.h"
 #include "gui/surface/ui.h"
@@ -10,9 +11,10 @@ namespace hw::panels {
 
 class RehearsalCard {
  public:
-  /// Draws at ImGui's cursor, `width` and `height` logical. True: rehearse again, from the present position.
+  /// Draws at ImGui's cursor, `width` and `height` logical. Returns true when the user asks for a new
+  /// rehearsal from the present position.
   bool draw_column(gui::Frame& frame, int slot, float width, float height);
-  /// One line of 36. True: a click asks for the column.
+  /// Draws a line of 36. Returns true when a click asks for the column.
   bool draw_line(gui::Frame& frame, int slot, bool opened);
 
  private:
@@ -20,8 +22,8 @@ class RehearsalCard {
   void refresh_caption(const gui::Frame& frame, int slot);
   void refresh_words(const gui::Frame& frame);
   void add_span(const gui::Frame& frame, const RehearsedAxis& axis);
-  [[nodiscard]] bool begins_here() const { return outcome_->stand.footing == gui::Footing::here; }
-  /// The verdict on limits holds for the present axis positions.
+  [[nodiscard]] bool begins_here() const { return outcome_->start.match == gui::StartMatch::here; }
+  /// Whether the verdict on limits holds for the present axis positions.
   [[nodiscard]] bool judges_limits() const { return begins_here() && outcome_->scene.switches; }
   void draw_progress(gui::Frame& frame);
   void draw_axes(gui::Frame& frame);

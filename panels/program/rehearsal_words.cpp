@@ -15,28 +15,28 @@ namespace {
 
 constexpr std::size_t most_stops = 12;  // listed
 
-std::string position_difference(const Frame& f, const Stand& stand) {
-  const int i = std::max(0, stand.which);
+std::string position_difference(const Frame& f, const StartDifference& start) {
+  const int i = std::max(0, start.which);
   const std::string axis = fmt::format("axis {}", f.catalog.axes[ix(i)].name);
-  const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
-  const NumberText began = format_position(stand.began, unit);
-  switch (stand.footing) {
-    case Footing::elsewhere:
+  const DisplayUnit& unit = f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(i)});
+  const NumberText began = format_position(start.began, unit);
+  switch (start.match) {
+    case StartMatch::elsewhere:
       return fmt::format("Rehearsed from {}; {} stands at {}", began.view(), axis,
-                         format_with_unit(stand.stands, unit).view());
-    case Footing::moving: return fmt::format("Rehearsed from {}; {} is moving", began.view(), axis);
-    case Footing::other_count:
+                         format_with_unit(start.stands, unit).view());
+    case StartMatch::moving: return fmt::format("Rehearsed from {}; {} is moving", began.view(), axis);
+    case StartMatch::other_count:
       return fmt::format("Rehearsed as after power-up; {} counts in another unit now", axis);
-    case Footing::unknown:
+    case StartMatch::unknown:
       return fmt::format("Rehearsed from {}; the position of {} is not known", began.view(), axis);
-    case Footing::other_encoder: return fmt::format("Rehearsed before the encoder of {} changed", axis);
-    case Footing::other_switch:
-      if (stand.unread)
+    case StartMatch::other_encoder: return fmt::format("Rehearsed before the encoder of {} changed", axis);
+    case StartMatch::other_switch:
+      if (start.unread)
         return fmt::format("Rehearsed with known limit switches of {}; they are not known now", axis);
       return fmt::format("Rehearsed before a limit or home switch of {} changed", axis);
-    case Footing::doubtful: return fmt::format("The position of {} may be wrong", axis);
+    case StartMatch::doubtful: return fmt::format("The position of {} may be wrong", axis);
     default:
-      if (stand.unread) return fmt::format("Rehearsed with a known loop of {}; it is not known now", axis);
+      if (start.unread) return fmt::format("Rehearsed with a known loop of {}; it is not known now", axis);
       return fmt::format("Rehearsed before {} was switched, or its error came or went", axis);
   }
 }
@@ -47,48 +47,48 @@ std::string readout_word(const ReadoutInfo& readout, std::int64_t value) {
   return std::to_string(value);
 }
 
-std::string difference(const Frame& f, const Stand& stand) {
+std::string difference(const Frame& f, const StartDifference& start) {
   const Catalog& c = f.catalog;
-  const auto place = static_cast<std::size_t>(std::max(0, stand.which));
+  const auto place = static_cast<std::size_t>(std::max(0, start.which));
   const auto differs = [&](std::string_view name, std::string_view then, std::string_view now) {
-    if (stand.unread) return fmt::format("Rehearsed with {} {}; its present value is unknown", name, then);
+    if (start.unread) return fmt::format("Rehearsed with {} {}; its present value is unknown", name, then);
     return fmt::format("Rehearsed with {} {}; it is {} now", name, then, now);
   };
-  switch (stand.footing) {
-    case Footing::other_bench: return "Switches on the bench have been moved since";
-    case Footing::other_setup:
-      return differs(c.params[place].mnemonic, param_words(c.params[place], stand.began.value),
-                     param_words(c.params[place], stand.stands.value));
-    case Footing::other_output: {
+  switch (start.match) {
+    case StartMatch::other_bench: return "Switches on the bench have been moved since";
+    case StartMatch::other_setup:
+      return differs(c.params[place].mnemonic, param_words(c.params[place], start.began.value),
+                     param_words(c.params[place], start.stands.value));
+    case StartMatch::other_output: {
       const auto state = [](Steps on) { return on.value != 0 ? "on" : "off"; };
-      return differs(place < c.outputs.size() ? c.outputs[place].name : "an output", state(stand.began),
-                     state(stand.stands));
+      return differs(place < c.outputs.size() ? c.outputs[place].name : "an output", state(start.began),
+                     state(start.stands));
     }
-    case Footing::other_input: {
+    case StartMatch::other_input: {
       const auto level = [](Steps high) { return high.value != 0 ? "high" : "low"; };
-      return differs(place < c.inputs.size() ? c.inputs[place].name : "an input", level(stand.began),
-                     level(stand.stands));
+      return differs(place < c.inputs.size() ? c.inputs[place].name : "an input", level(start.began),
+                     level(start.stands));
     }
-    case Footing::other_analog: {
+    case StartMatch::other_analog: {
       const AnalogInfo& input = c.analog[place];
       const auto reads = [&](Steps value) { return fmt::format("{} {}", value.value, input.unit); };
-      return differs(input.name, reads(stand.began), reads(stand.stands));
+      return differs(input.name, reads(start.began), reads(start.stands));
     }
-    case Footing::other_readout: {
+    case StartMatch::other_readout: {
       const ReadoutInfo& readout = c.readouts[place];
-      return differs(readout.label, readout_word(readout, stand.began.value),
-                     readout_word(readout, stand.stands.value));
+      return differs(readout.label, readout_word(readout, start.began.value),
+                     readout_word(readout, start.stands.value));
     }
-    case Footing::other_variable:
-      return differs(fmt::format("V{}", place), std::to_string(stand.began.value),
-                     std::to_string(stand.stands.value));
-    case Footing::other_queue: return "Rehearsed with empty queues; commands wait there now";
-    case Footing::other_program:
-      if (stand.unread)
+    case StartMatch::other_variable:
+      return differs(fmt::format("V{}", place), std::to_string(start.began.value),
+                     std::to_string(start.stands.value));
+    case StartMatch::other_queue: return "Rehearsed with empty queues; commands wait there now";
+    case StartMatch::other_program:
+      if (start.unread)
         return fmt::format("Rehearsed with {} {}; its present content is unknown", c.program.slot_word,
                            place);
       return fmt::format("Rehearsed before {} {} was changed", c.program.slot_word, place);
-    default: return position_difference(f, stand);
+    default: return position_difference(f, start);
   }
 }
 
@@ -104,11 +104,11 @@ std::string exact_time(double s) {
 
 std::string stand_words(const Frame& f, const Rehearsals::Outcome& outcome) {
   std::string words;
-  if (outcome.stand.footing != Footing::here)
-    words = difference(f, outcome.stand);
+  if (outcome.start.match != StartMatch::here)
+    words = difference(f, outcome.start);
   else if (!outcome.scene.switches)
     words = "The positions of the limit switches are unknown";
-  return words.empty() ? words : words + ": limits are not judged.";
+  return words.empty() ? words : words + ": limits are not checked.";
 }
 
 std::vector<std::string> stop_words(const Rehearsal& r) {

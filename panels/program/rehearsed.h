@@ -1,5 +1,5 @@
 #pragma once
-// Whether Run would run the text as rehearsed, from the present state of the controller.
+// Says whether Run would run the text as rehearsed, from the present state of the controller.
 #include <string>
 #include <string_view>
 
@@ -9,14 +9,14 @@
 namespace hw::panels {
 
 struct Rehearsed {
-  bool holds = false;      ///< this text, from here, without findings
-  std::string_view words;  ///< else the change since then, or the outcome
+  bool holds = false;      ///< the rehearsal is of this text, from here, without findings
+  std::string_view words;  ///< otherwise the change since then, or the outcome
 };
-/// The chosen text, as Run would start it.
+/// For the chosen text, as Run would start it.
 [[nodiscard]] Rehearsed rehearsed(const gui::Frame& frame);
-/// The contents of the controller, for a run that starts a stored program and loads nothing.
+/// For a run that starts a stored program of the controller and loads nothing.
 [[nodiscard]] Rehearsed rehearsed_thread(const gui::Frame& frame, int program);
-/// `text`: what would be run; `outcome`: null if there is none.
+/// `text` is the text that would be run; `outcome` is null if there is none.
 [[nodiscard]] Rehearsed rehearsed(const gui::Frame& frame, const gui::Rehearsals::Outcome* outcome,
                                   const std::string& text);
 

@@ -21,7 +21,7 @@ namespace seq = sequence;
 namespace {
 
 tl::unexpected<Fault> not_from(std::string why, std::string advice = {}) {
-  return fail(FaultKind::refused, std::move(why), "Nothing was begun.", std::move(advice));
+  return fail(FaultKind::refused, std::move(why), "Nothing was started.", std::move(advice));
 }
 
 // ---- finding the step
@@ -66,8 +66,8 @@ class Finder {
   Result<StepOfPlace> find() {
     auto read = language_.read(place_.text, frame_, catalog_);
     if (!read)
-      return not_from(fmt::format("The state there is known only for text that blocks can represent. {}",
-                                  read.error().what));
+      return not_from(fmt::format(
+          "The state at that line is known only for text that blocks can represent. {}", read.error().what));
     for (const std::size_t at : places_in_line())
       if (const int counted = step_at(at, read->sequence); counted >= 0)
         return StepOfPlace{std::move(read->sequence), counted};
@@ -76,7 +76,7 @@ class Finder {
   }
 
  private:
-  /// Its own place, then those of earlier commands in the line, which may belong to the same step.
+  /// The place of the command, then those of earlier commands in the line, which may belong to the same step.
   [[nodiscard]] std::vector<std::size_t> places_in_line() const {
     std::size_t begin = 0;
     for (int line = 0; line < place_.line; ++line) begin = place_.text.find('\n', begin) + 1;
@@ -88,7 +88,7 @@ class Finder {
       if (token->begin < place_.byte) all.push_back(begin + ix(token->begin));
     return all;
   }
-  /// -1: no step begins there.
+  /// The step that begins at a place; -1: none.
   [[nodiscard]] int step_at(std::size_t at, const seq::Sequence& plain) const {
     const bool within_line = at > 0 && place_.text[at - 1] != '\n';
     std::string marked = place_.text;
@@ -125,7 +125,7 @@ seq::OnlySets only_sets_of(const Language& language) {
   if (!settings) return {};
   return [settings](const seq::Custom& own) { return settings->only_sets(own.text); };
 }
-bool goes_where_the_machine_decides(const seq::Step::Body& body) {
+bool ends_at_unknown_place(const seq::Step::Body& body) {
   return std::holds_alternative<seq::Home>(body) || std::holds_alternative<seq::Jog>(body) ||
          std::holds_alternative<seq::Stop>(body) || std::holds_alternative<seq::MoveOnInput>(body);
 }
@@ -134,7 +134,7 @@ bool has_no_end(const seq::Step::Body& body) {
   return loop && loop->times == 0;
 }
 
-/// Index in the list of the step itself, or of the outermost step around it.
+/// The index, in the list, of the step itself or of the outermost step around it.
 std::size_t outermost(const seq::StepList& steps, int counted) {
   std::size_t i = 0;
   for (; i < steps.size(); ++i) {
@@ -146,7 +146,7 @@ std::size_t outermost(const seq::StepList& steps, int counted) {
   return i;
 }
 
-/// In terms of the text: the user has never seen the steps.
+/// The fault in terms of the text, because the user has never seen the steps.
 tl::unexpected<Fault> why_not_known(const StepOfPlace& step, const PlaceToBegin& place, const Fault& fault,
                                     const seq::OnlySets& only_sets) {
   const auto is_own_text = [&](const seq::Step::Body& body) {
@@ -163,13 +163,14 @@ tl::unexpected<Fault> why_not_known(const StepOfPlace& step, const PlaceToBegin&
                     "Begin at that command, or above it.");
   }
   if (last_such(steps, before, has_no_end))
-    return not_from(fmt::format("A loop above line {} has no end: it is never reached.", place.line + 1));
-  if (const seq::Step* lost = last_such(steps, before + (in_loop ? 1 : 0), goes_where_the_machine_decides))
+    return not_from(
+        fmt::format("A loop above line {} has no end: the line is never reached.", place.line + 1));
+  if (const seq::Step* lost = last_such(steps, before + (in_loop ? 1 : 0), ends_at_unknown_place))
     return not_from(
         fmt::format(
             "The position before line {} is unknown: the machine decides where \"{} {}\" above it ends.",
             place.line + 1, title_of(lost->body), summary_of(lost->body, step.sequence)),
-        "Begin at that command, or after one that sends the axis to a place.");
+        "Begin at that command, or after a command that sends the axis to a place.");
   return not_from(fault.what, fault.advice);
 }
 
@@ -226,8 +227,8 @@ std::optional<Fault> otherwise_rehearsed(const seq::Rest& rest, const std::array
     const std::int64_t start = std::llround(*rest.start[a] * axis.per_unit);
     const auto [low, high] = std::minmax(begun[0].position[ix(i)], begun[1].position[ix(i)]);
     if (start >= low - 1 && start <= high + 1) continue;
-    return not_from(fmt::format("In the rehearsal {} was not at {} {} when {} began, although the {} above "
-                                "it send it there.",
+    return not_from(fmt::format("In the rehearsal {} was not at {} {} at the start of {}, although the {} "
+                                "above it send the axis there.",
                                 axis.name, start, catalog.step_word, what, above),
                     fmt::format("Begin at a {} that starts when all axes are at rest.",
                                 what.substr(0, what.find(' '))))
@@ -243,11 +244,9 @@ Result<RestOfText> rest_of_text(const Language& language, const PlaceToBegin& pl
   std::optional<std::int64_t> pass_in_loop;
   if (const auto within = seq::loops_around(step->sequence, step->counted)) {
     if (!place.pass && within->times != 1)
-      return not_from(fmt::format("Line {} lies within a loop, and the path does not show which pass of it "
-                                  "this is.",
+      return not_from(fmt::format("Line {} lies within a loop, and the path does not show in which pass.",
                                   place.line + 1),
-                      "Click the pass that you mean in the picture. Where its passes lie on one line, begin "
-                      "before the loop or after it.");
+                      std::string(choose_pass));
     pass_in_loop = place.pass.value_or(0);
   }
   const seq::OnlySets only_sets = only_sets_of(language);
@@ -256,7 +255,7 @@ Result<RestOfText> rest_of_text(const Language& language, const PlaceToBegin& pl
   if (!rest) return why_not_known(*step, place, rest.error(), only_sets);
   const std::string line = fmt::format("line {}", place.line + 1);
   if (!place.begun)
-    return not_from(fmt::format("The rehearsal does not show the positions when {} began.", line),
+    return not_from(fmt::format("The rehearsal does not show the positions at the start of {}.", line),
                     "Begin at a line that moves an axis.");
   if (auto fault = otherwise_rehearsed(*rest, *place.begun, line, "commands", catalog))
     return fail(std::move(*fault));

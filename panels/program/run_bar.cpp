@@ -23,7 +23,7 @@ constexpr std::string_view no_program = "No program runs.", no_link = "There is 
 bool runs(const ProgramState& p) { return is_under_way(p) && p.run == RunState::running; }
 bool waits(const ProgramState& p) { return is_under_way(p) && p.run != RunState::running; }
 
-/// A run can be held if the controller steps through programs, or controls threads.
+/// Whether a run can be held: the controller steps through programs, or controls threads.
 bool can_hold(const Catalog& c) { return c.can.single_step || c.program.threads > 0; }
 
 struct Bar {
@@ -46,12 +46,12 @@ struct Bar {
   bool run() {
     const Rehearsed& tried = look.rehearsed;
     const bool waiting = waits(program());
-    // The same place with and without the tick, and for both words.
+    // The width is the same with and without the tick, and for both words.
     ButtonOptions widest{.icon = Icon::play, .keys = look.keys ? "ctrl \n" : ""},
         to_go_on{.icon = Icon::play};
     if (!tried.words.empty()) widest.icon_after = Icon::check;
     ButtonOptions o = waiting ? to_go_on : widest;
-    o.width = std::max(button_width(frame.ui, "Run", widest), button_width(frame.ui, "Go on", to_go_on));
+    o.width = std::max(button_width(frame.ui, "Run", widest), button_width(frame.ui, "Resume", to_go_on));
     if (!tried.holds) o.icon_after = Icon::none;
     o.disabled = look.why_not;
     o.moving = true;
@@ -60,7 +60,7 @@ struct Bar {
     const auto end = fmt::format_to_n(tip, sizeof tip, "{}{}{}", look.tip, both ? " " : "", tried.words);
     if (!waiting) o.tip = {tip, std::min(end.size, sizeof tip)};
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool pressed = press("run", waiting ? "Go on" : "Run", o);
+    const bool pressed = press("run", waiting ? "Resume" : "Run", o);
     if (!tried.words.empty())
       show(frame.ui, {Path("{}/rehearsed", where), Kind::text, "Rehearsed", tried.words},
            {at, ImVec2(at.x + frame.ui.px(o.width), at.y + frame.ui.px(40))});
@@ -77,8 +77,8 @@ struct Bar {
                  {.icon = Icon::pause, .disabled = why, .tip = "Stops before the next command."});
   }
   [[nodiscard]] std::string_view waiting_words() const {
-    return program().run == RunState::held ? "The program is held. Go on continues it."
-                                           : "The program waits. Go on continues it.";
+    return program().run == RunState::held ? "The program is held. Resume continues it."
+                                           : "The program waits. Resume continues it.";
   }
   bool step() {
     const bool held = is_under_way(program()) && program().run == RunState::held;
@@ -87,7 +87,7 @@ struct Bar {
                  {.icon = Icon::step, .disabled = why, .tip = "One command at a time.", .moving = true});
   }
   bool stop() {
-    const bool busy = is_under_way(program()) || frame.tab.desk().job.busy();
+    const bool busy = is_under_way(program()) || frame.tab.desk().programs.job.busy();
     return press("stop", "Stop", {.icon = Icon::stop, .disabled = busy ? "" : no_program, .stops = true});
   }
 };
@@ -100,12 +100,18 @@ bool is_under_way(const ProgramState& p) {
 
 std::string_view why_none_runs(const Frame& f) {
   const ProgramState& p = f.now.program;
-  if (!f.connected()) return "There is no link. Run is available again when the controller answers.";
-  if (f.tab.desk().job.busy()) return "A program is being transferred.";
-  if (runs(p)) return "A program is running. Run is available again when it ends or is stopped.";
+  if (!f.connected()) return no_link_to_run;
+  if (f.tab.desk().programs.job.busy()) return program_in_transfer;
+  if (runs(p)) return another_runs;
   if (!waits(p) && f.now.any_axis_moving())
-    return "An axis moves. Run is available again when it has stopped.";
+    return "An axis is moving. Run is available again when it has stopped.";
   return {};
+}
+
+std::string_view why_no_new_run(const Frame& f) {
+  const std::string_view why = why_none_runs(f);
+  if (!why.empty()) return why;
+  return is_under_way(f.now.program) ? "A program waits. Stop it first." : "";
 }
 
 RunRequest run_bar(Frame& f, std::string_view where, const RunBarLook& look) {
@@ -124,7 +130,7 @@ RunRequest run_bar(Frame& f, std::string_view where, const RunBarLook& look) {
 }
 
 std::optional<RunProgress> run_progress(const Frame& f) {
-  const RunFollower& run = f.tab.desk().follower;
+  const RunFollower& run = f.tab.desk().programs.follower;
   const auto left = run.left_s();
   if (!is_under_way(f.now.program) || !left) return std::nullopt;
   const double whole_s = run.run_s() + *left, left_s = std::ceil(*left);  // tenths would change in each frame
@@ -162,11 +168,13 @@ RunRequest go_on_or(Frame& f, RunRequest request) {
   return RunRequest::none;
 }
 
-/// Asked again when the text is loaded. A text of the user's own is judged by doubts only.
+/// The terms of a run, checked again when the text is loaded. A text that the user has typed is judged only
+/// by doubts.
 static RunTerms terms_of(Frame& f, const std::string& text, const std::optional<AgreedDoubts>& agreed) {
   Desk& desk = f.tab.desk();
   RunTerms run{agreed.has_value()};
-  const WrittenSequence* source = desk.source.of(text, desk.blocks, desk.language(), f.catalog);
+  const WrittenSequence* source =
+      desk.programs.source.of(text, desk.blocks, desk.programs.language(), f.catalog);
   if (source)
     run.why_not_now = [&tab = f.tab, sequence = source->sequence, doubts = agreed.value_or(AgreedDoubts())] {
       return why_not_begin_any_more(tab, *sequence, doubts);
@@ -181,24 +189,25 @@ static RunTerms terms_of(Frame& f, const std::string& text, const std::optional<
 void begin_run(Frame& f, RunRequest request, const std::optional<AgreedDoubts>& agreed) {
   if (request == RunRequest::none) return;
   Desk& desk = f.tab.desk();
-  const int slot = desk.texts.chosen();
-  const std::string& text = desk.texts.text(slot);
+  const int slot = desk.programs.texts.chosen();
+  const std::string& text = desk.programs.texts.text(slot);
   if (std::string why = agreed ? std::string() : why_not_run_there(f.tab, text); !why.empty())
-    return f.toast(Severity::warn, std::move(why), &desk.texts);
+    return f.toast(Severity::warn, std::move(why), &desk.programs.texts);
   const auto goal =
       request == RunRequest::run_stepping ? ProgramJob::Goal::run_stepping : ProgramJob::Goal::run;
-  desk.job.begin(
-      goal, slot, desk.texts, f.now, f.catalog,
+  desk.programs.job.begin(
+      goal, slot, desk.programs.texts, f.now, f.catalog,
       [&](IntentBody body) { return f.send_and_watch(std::move(body)); }, terms_of(f, text, agreed));
-  const Rehearsals::Outcome* tried = desk.rehearsals.of(desk.texts.start_of(slot));
-  const bool holds = tried && tried->text == desk.texts.text(slot) && tried->stand.footing == Footing::here;
-  if (desk.job.busy() && !holds) desk.rehearse(f.now, f.bench);
+  const Rehearsals::Outcome* tried = desk.programs.rehearsals.of(desk.programs.texts.start_of(slot));
+  const bool holds =
+      tried && tried->text == desk.programs.texts.text(slot) && tried->start.match == StartMatch::here;
+  if (desk.programs.job.busy() && !holds) desk.programs.requests.rehearse(f.now, f.bench);
 }
 
-void describe_what_came(Frame& f) {
+void report_outcome(Frame& f) {
   Desk& desk = f.tab.desk();
-  auto report = desk.job.take_report();
-  if (!report.sentence.empty()) f.toast(report.severity, std::move(report.sentence), &desk.texts);
+  auto report = desk.programs.job.take_report();
+  if (!report.sentence.empty()) f.toast(report.severity, std::move(report.sentence), &desk.programs.texts);
 }
 
 }  // namespace hw::panels

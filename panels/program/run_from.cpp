@@ -31,13 +31,13 @@ std::string standing_at(const Frame& f, const sequence::Rest& rest) {
     const AxisId id{static_cast<std::uint8_t>(place)};
     const AxisState& axis = f.now.axes[id.index];
     all += fmt::format("{}{} at {}", all.empty() ? "" : ", ", spoken_name(f.catalog, place),
-                       axis.position_known ? format_with_unit(axis.position, f.tab.unit(id)).view()
+                       axis.position_known ? format_with_unit(axis.position, f.tab.settings.unit(id)).view()
                                            : std::string_view("an unknown position"));
   }
   return all;
 }
 
-/// The starting positions of a sequence if it were run now.
+/// The start positions of a sequence if it were run now.
 sequence::Places standing_now(const Frame& f, const sequence::Sequence& of) {
   sequence::Places places;
   for (std::size_t a = 0; a < of.axes.size(); ++a) {
@@ -58,12 +58,13 @@ std::string why_not_sent_there(const Frame& f, const sequence::Rest& rest,
     const AxisState& now = f.now.axes[ix(axis)];
     if (!now.position_known)
       return fmt::format(
-          "The position of {} is not known. Nothing was begun. Home it, or set its position, then ask again.",
+          "The position of {} is not known. Nothing was started. Home it, or set its position, then ask "
+          "again.",
           spoken_name(f.catalog, axis));
     for (const RehearsedAxis& then : rehearsed)
       if (then.name == name && then.in_counts != now.in_counts)
         return fmt::format(
-            "{} counts in other units than in the rehearsal. Nothing was begun. Simulate it again.", name);
+            "{} counts in other units than in the rehearsal. Nothing was started. Simulate it again.", name);
   }
   return why_not_run_there(f.tab, rest.sequence);
 }
@@ -76,12 +77,6 @@ bool mentions_a_tool(const sequence::Rest& rest) {
 
 }  // namespace
 
-std::string_view why_not_run_from(const Frame& f) {
-  const std::string_view why = why_none_runs(f);
-  if (!why.empty()) return why;
-  return is_under_way(f.now.program) ? "A program waits. Stop it first." : "";
-}
-
 Result<RunFrom::Wanted> RunFrom::wanted_of(const sequence::Sequence& of, const Place& place,
                                            const sequence::Places& begin) {
   const auto rehearsed = place.begun ? sequence::Rehearsed::yes : sequence::Rehearsed::no;
@@ -92,12 +87,9 @@ Result<RunFrom::Wanted> RunFrom::wanted_of(const sequence::Sequence& of, const P
     if (!pass)
       return fail(
           FaultKind::refused,
-          fmt::format("It lies within the loop of step {}, and the path does not show which pass of it "
-                      "this is.",
+          fmt::format("The line lies within the loop of step {}, and the path does not show in which pass.",
                       within->loop + 1),
-          "Nothing was begun.",
-          "Click the pass that you mean in the picture. Where its passes lie on one line, begin before the "
-          "loop or after it.");
+          "Nothing was started.", std::string(choose_pass));
     auto found = sequence::rest_within(of, place.step, *pass, begin, rehearsed);
     if (!found) return fail(found.error());
     return Wanted{std::move(found->rest), std::move(found->begins)};
@@ -128,12 +120,12 @@ void RunFrom::ask(Frame& f, const sequence::Sequence& of, const Place& place) {
 
 void RunFrom::ask(Frame& f, PlaceToBegin place) {
   Desk& desk = f.tab.desk();
-  if (!desk.language() || std::exchange(reading_, true)) return;
+  if (!desk.programs.language() || std::exchange(reading_, true)) return;
   go_ahead_ = desk.until_stopped();
   auto frame = sequence::frame_of(desk.blocks.editor.sequence());
   frame.pen_up.clear(), frame.pen_down.clear();
-  desk.worker().run(
-      [language = desk.language(), place = std::move(place), frame = std::move(frame),
+  desk.work.worker().run(
+      [language = desk.programs.language(), place = std::move(place), frame = std::move(frame),
        catalog = std::make_shared<const Catalog>(f.catalog)] {
         auto found = rest_of_text(*language, place, frame, *catalog);
         if (!found) return Result<Wanted>(tl::unexpected(found.error()));
@@ -145,16 +137,16 @@ void RunFrom::ask(Frame& f, PlaceToBegin place) {
 }
 
 void RunFrom::ask(Frame& f, Result<Wanted> wanted) {
-  const Language* language = f.tab.desk().language();
+  const Language* language = f.tab.desk().programs.language();
   if (!language) return;
   if (!wanted) return refuse(wanted.error().sentence());
   if (std::string why = why_not_sent_there(f, wanted->rest, wanted->axes); !why.empty())
     return refuse(std::move(why));
   auto written = language->write(wanted->rest.sequence, f.catalog);
   if (!written) return refuse(written.error().sentence());
-  const ProgramTexts& texts = f.tab.desk().texts;
+  const ProgramTexts& texts = f.tab.desk().programs.texts;
   if (!wanted->text.empty() && texts.text(texts.chosen()) != wanted->text)
-    return refuse("The text has been changed since. Nothing was begun.");
+    return refuse("The text has been changed since. Nothing was started.");
   rest_ = std::move(wanted->rest), written_ = std::move(*written);
   replaces_ = texts.edited(texts.chosen());
   asking_ = true;
@@ -166,7 +158,8 @@ void RunFrom::compose_question(const Frame& f, const Wanted& wanted) {
   question_ = at.empty() ? std::string() : fmt::format("Now: {}.\n", at);
   question_ += fmt::format("First: {}\n", words_of_leading(rest_));
   question_ += fmt::format("Then {}, and everything after it.", wanted.begins);
-  if (wanted.counts_from_now) question_ += "\nDistances above it are counted from where the axes stand now.";
+  if (wanted.counts_from_now)
+    question_ += "\nDistances above it are counted from the present positions of the axes.";
   if (rest_.leaves_homing_out) question_ += "\nHoming is skipped: the counts are trusted.";
   if (!mentions_a_tool(rest_))
     question_ += "\nMake sure that nothing is in the way: no step mentions a tool.";
@@ -175,12 +168,11 @@ void RunFrom::compose_question(const Frame& f, const Wanted& wanted) {
 }
 
 void RunFrom::run(Frame& f) {
-  ProgramTexts& texts = f.tab.desk().texts;
-  f.tab.desk().source.put({std::make_shared<const sequence::Sequence>(rest_.sequence), written_});
+  ProgramTexts& texts = f.tab.desk().programs.texts;
+  f.tab.desk().programs.source.put({std::make_shared<const sequence::Sequence>(rest_.sequence), written_});
   texts.set_text(texts.chosen(), written_.text);
-  if (go_ahead_.expired()) return refuse("A stop came first. The text was put into the program and not run.");
-  std::string why(why_none_runs(f));
-  if (why.empty() && is_under_way(f.now.program)) why = "Another program waits. Stop it first.";
+  if (go_ahead_.expired()) return refuse(std::string(put_but_not_run));
+  std::string why(why_no_new_run(f));
   if (why.empty()) why = why_not_run_there(f.tab, written_.text);
   if (!why.empty()) return refuse(std::move(why));
   begin_run(f, RunRequest::run);

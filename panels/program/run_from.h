@@ -1,6 +1,6 @@
 #pragma once
-// Running the rest of a sequence, from one of its steps on: shows the way there, and does nothing before the
-// user agrees. Ids: `WHERE/run_from/yes`, `WHERE/run_from/no`.
+// Runs the rest of a sequence, from a step on. Shows the way there, and sends no command before the user
+// agrees. Ids: `WHERE/run_from/yes`, `WHERE/run_from/no`.
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,25 +16,26 @@ namespace hw::panels {
 
 class RunFrom {
  public:
-  /// Where to begin. `step`: as SequenceText counts them. `pass`: how often it was done before, which matters
-  /// within a loop; none: unknown.
+  /// The place to begin. `step` is counted as SequenceText counts steps. `pass` is how often the step was
+  /// done before, which matters in a loop; nullopt: unknown.
   struct Place {
     int step = 0;
     std::optional<int> pass = {};
-    /// Of its rehearsal. No axes: not rehearsed, and the steps are counted from the present position.
+    /// The axes of its rehearsal. Empty: not rehearsed, so the steps are counted from the present position.
     std::span<const RehearsedAxis> axes = {};
-    std::optional<std::array<RehearsedPlace, 2>> begun = {};  ///< none: not known
+    std::optional<std::array<RehearsedPlace, 2>> begun = {};  ///< nullopt: not known
   };
-  /// If the rest cannot be run, take_refusal() has the reason.
+  /// Asks whether to run the rest. If it cannot be run, take_refusal() has the reason.
   void ask(gui::Frame& frame, const sequence::Sequence& of, const Place& place);
-  /// The same for a typed text, once it has been read.
+  /// As above for a typed text, which is read first.
   void ask(gui::Frame& frame, PlaceToBegin place);
   void draw_dialog(gui::Frame& frame, std::string_view where);
-  /// The text of the rest that was asked for last; empty: none.
+  /// The text of the last requested rest; empty: none.
   [[nodiscard]] const std::string& text() const { return written_.text; }
-  /// Why the last request was not carried out, once: for the panel to show; empty: it was, or is under way.
+  /// Returns, once, why the last request was not carried out, for the panel to show; empty: it was, or is
+  /// under way.
   [[nodiscard]] std::string take_refusal() { return std::exchange(refusal_, {}); }
-  /// The first target of the tool while the question stands, in the units of the axes.
+  /// The first target of the tool while the question is open, in the units of the axes.
   [[nodiscard]] std::optional<drawing::Point3> goes_to(const gui::Frame& frame, const PathAxes& axes) const;
 
  private:
@@ -58,11 +59,8 @@ class RunFrom {
   sequence::Rest rest_;
   SequenceText written_;
   std::string question_, refusal_;
-  bool replaces_ = false;         ///< replaces a text that is in no file
-  std::weak_ptr<void> go_ahead_;  ///< expires on a stop while the question stands
+  bool replaces_ = false;         ///< true: replaces a text that is in no file
+  std::weak_ptr<void> go_ahead_;  ///< expires on a stop while the question is open
 };
-
-/// Why a text cannot be run from any place now; empty: it may be asked for.
-std::string_view why_not_run_from(const gui::Frame& frame);
 
 }  // namespace hw::panels

@@ -35,7 +35,7 @@ Look look_of(const ThreadState& t, bool connected) {
 }
 
 constexpr float state_width = 92, line_width = 52, button_wide = 78, stop_wide = 50, only_icon = 36;
-/// In narrower rows the buttons have icons only: the source line needs the room.
+/// In narrower rows the buttons have only icons, because the source line needs the width.
 constexpr float least_for_words = 400;
 
 void draw_state(Frame& f, int n, const ThreadState& t, const Rect& row, float x) {
@@ -49,7 +49,7 @@ void draw_state(Frame& f, int n, const ThreadState& t, const Rect& row, float x)
        {ImVec2(x, row.min.y), ImVec2(x + ui.px(state_width), row.max.y)});
 }
 
-/// The line a thread works on, as shown in its row.
+/// The line that a thread executes, as shown in its row.
 struct PlaceWords {
   Path line;                ///< "line 23": of the compiled program, as reported by the controller
   Path number;              ///< of its source line in the text; empty: unknown
@@ -57,13 +57,13 @@ struct PlaceWords {
 };
 
 PlaceWords place_of(Frame& f, const ThreadState& t) {
-  ProgramTexts& texts = f.tab.desk().texts;
+  ProgramTexts& texts = f.tab.desk().programs.texts;
   const int source = texts.live_line(0, t.line);
   PlaceWords words{Path("line {}", t.line), Path("{}", ""), {}};
   if (source < 0) {
     words.source = texts.lines_known(0)  ? "its text has changed here"
                    : texts.held(0).known ? "its code cannot be read here"
-                                         : "text not known: Upload shows it";
+                                         : "text not known: press Upload";
     return words;
   }
   words.number = Path("{}", source + 1);
@@ -71,8 +71,8 @@ PlaceWords place_of(Frame& f, const ThreadState& t) {
   return words;
 }
 
-/// The low-level line reported by the controller, and its source line. Without room for both, the low-level
-/// line goes first; a cut source line is complete in its tooltip.
+/// Draws the low-level line reported by the controller, and its source line. If both do not fit, the
+/// low-level line is left out; the tip shows a cut source line whole.
 void draw_place(Frame& f, int n, const ThreadState& t, const Rect& row, float x, float right) {
   Ui& ui = f.ui;
   const float middle = std::floor(row.centre().y);
@@ -121,7 +121,7 @@ void Threads::draw_first_button(Frame& f, int n, std::string_view no_link, bool 
   } else {
     o.moving = true;
     o.icon = Icon::play;
-    const Rehearsed tried = f.tab.desk().language() ? rehearsed_thread(f, n) : Rehearsed();
+    const Rehearsed tried = f.tab.desk().programs.language() ? rehearsed_thread(f, n) : Rehearsed();
     const Path tip("Runs the program in the controller. {}", tried.words);
     o.tip = tip;
     if (tried.holds) o.icon_after = Icon::check;
@@ -157,7 +157,7 @@ void Threads::follow(Frame& f) {
 void Threads::draw_refusal(Frame& f, int n, const Rect& row) {
   if (n != thread_ || refused_.empty()) return;
   if (torn_program(f.catalog, f.now, intent::RunProgram(n)) < 0)
-    return refused_.clear();  // loaded or read since
+    return refused_.clear();  // the program was loaded or read since
   const Path id("thread/{}/refused", n), once("thread/{}/as_it_is", n), about("Run, program {}", n);
   const Action actions[] = {{.id = once,
                              .label = "Run it once as it is",
@@ -195,7 +195,7 @@ void Threads::draw_row(Frame& f, int n, const Rect& row) {
   stop.width = second;
   stop.stops = true;
   if (!words) stop.icon = Icon::stop, stop.tip = "Stop";
-  stop.disabled = is_busy(t) || t.run == RunState::error ? no_link : "It does not run.";
+  stop.disabled = is_busy(t) || t.run == RunState::error ? no_link : "The program does not run.";
   if (button(ui, Path("thread/{}/stop", n), words ? "Stop" : "", stop).clicked)
     f.send(intent::HaltProgram(n));
   draw_refusal(f, n, row);
@@ -207,7 +207,7 @@ bool is_busy(const ThreadState& t) {
 
 namespace {
 
-/// Two side by side if the width suffices for both.
+/// The number of rows. Two threads are side by side if both fit.
 int rows_of(int threads, float width) { return width >= 600 ? (threads + 1) / 2 : threads; }
 int shown_threads(const Catalog& c) { return std::min(c.program.threads, max_threads); }
 

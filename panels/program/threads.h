@@ -1,9 +1,8 @@
 #pragma once
-// The programs that run at once, a row each: state in words, low-level line, the source line it came from,
-// and the buttons that suit. Ids: `thread/0/run`, `/pause`, `/continue`, `/stop`, `/state`, `/line`,
+// Draws a row for each program that runs at the same time: state in words, low-level line, its source line,
+// and the buttons that apply. Ids: `thread/0/run`, `/pause`, `/continue`, `/stop`, `/state`, `/line`,
 // `/source`, `/rehearsed`; if a run was refused because the stored program differs from the one sent,
-// `/refused` and
-// `/as_it_is`.
+// `/refused` and `/as_it_is`.
 #include <string>
 
 #include "gui/shell/frame.h"
@@ -26,14 +25,14 @@ class Threads {
   void follow(gui::Frame& frame);
   void draw_refusal(gui::Frame& frame, int n, const gui::Rect& row);
 
-  int thread_ = -1;  ///< run last
+  int thread_ = -1;  ///< thread that was run last
   IntentId asked_ = 0;
   std::string refused_;
   RefusalCard card_;
 };
-/// Logical; 0: this controller runs only one program at a time.
+/// The height, logical; 0: this controller runs only one program at a time.
 float threads_height(const Catalog& catalog, float width);
-/// Its program is running, waiting or held.
+/// Whether the program of the thread is running, waiting or held.
 bool is_busy(const ThreadState& thread);
 
 }  // namespace hw::panels

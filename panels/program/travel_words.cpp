@@ -14,7 +14,7 @@ namespace hw::panels {
 
 using namespace gui;
 
-/// The distance beyond that end; none: not beyond, or the end has no effect.
+/// The distance beyond that end; nullopt: not beyond, or the end has no effect.
 static std::optional<Steps> furthest_past(const AxisState& axis, const RehearsedAxis& rehearsed, Sign side) {
   if (!axis.travel_holds() || rehearsed.in_counts != axis.in_counts) return {};
   const Steps furthest(side == Sign::minus ? rehearsed.minimum : rehearsed.maximum);
@@ -28,7 +28,8 @@ bool passes_travel(const Frame& f, const Rehearsal& r) {
   return false;
 }
 
-/// As far as the track was kept; negative: unknown.
+/// The time in seconds of the first position beyond that end, as far as the track was kept; negative:
+/// unknown.
 static double first_time_past(const Rehearsal& r, std::size_t axis, Sign side, const Travel& travel) {
   const auto found = std::find_if(r.track.begin(), r.track.end(), [&](const RehearsedPlace& place) {
     return travel.past(side, Steps(place.position[axis])) > Steps(0);
@@ -41,7 +42,7 @@ std::vector<std::string> past_travel_words(const Frame& f, const Rehearsal& r) {
   const std::size_t axes = std::min(r.axes.size(), f.catalog.axes.size());
   for (std::size_t i = 0; i < axes; ++i) {
     const AxisState& axis = f.now.axes[i];
-    const DisplayUnit& unit = f.tab.unit(AxisId{static_cast<std::uint8_t>(i)});
+    const DisplayUnit& unit = f.tab.settings.unit(AxisId{static_cast<std::uint8_t>(i)});
     for (const Sign side : {Sign::minus, Sign::plus}) {
       const auto furthest = furthest_past(axis, r.axes[i], side);
       if (!furthest) continue;

@@ -1,5 +1,5 @@
 #pragma once
-// The user's limits that a rehearsed program would pass. Only a warning: the program may run all the same.
+// Warns of the user's limits that a rehearsed program would pass. The program may run all the same.
 #include <string>
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace hw::panels {
 
-/// The program passes one of them.
+/// Whether the program passes a limit.
 [[nodiscard]] bool passes_travel(const gui::Frame& frame, const Rehearsal& rehearsal);
 /// "Past the + limit of X, 300.000 mm, after 4.1 s, and up to 318.000 mm." for each end. `rehearsal`: from
 /// the present position.

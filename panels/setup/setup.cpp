@@ -26,8 +26,8 @@ void column_line(Ui& ui, float x, float top, float bottom) {
   ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(x, top), ImVec2(x + ui.hair(), bottom), ui[Tone::line]);
 }
 
-/// Where programs are stored compiled, loading one has already stored it.
-Path what_store_keeps(const Frame& f) {
+/// The words of Store. Loading a compiled program has already stored it.
+Path store_words(const Frame& f) {
   const Catalog& c = f.catalog;
   if (c.program.compiled && c.variables.count > 0)
     return Path("Keeps the set-up, and variables from {}{} on, at power-off. Programs are kept anyway.",
@@ -68,7 +68,7 @@ void Setup::draw(Frame& f) {
 
 // The commands under way, and the first reading.
 void Setup::follow(Frame& f) {
-  if (f.tab.desk().setup.changes(f.now) == 0) from_file_.clear();  // its values have been written or undone
+  if (f.tab.desk().setup.changes(f.now) == 0) from_file_.clear();  // the values were written or undone
   if (f.connected() && !asked_to_read_) {
     asked_to_read_ = true;
     for (std::size_t i = 0; i < f.catalog.params.size(); ++i)
@@ -149,17 +149,17 @@ void Setup::draw_write(Frame& f) {
   ButtonOptions o{.style = changes > 0 ? ButtonStyle::primary : ButtonStyle::normal, .height = 40};
   o.disabled = !f.connected()   ? f.no_link()
                : writing.busy() ? "The values are being written."
-               : changes == 0   ? "Nothing here differs from the controller."
+               : changes == 0   ? "No value here differs from the controller."
                                 : "";
   if (button(f.ui, "setup/write", {label, std::min(end.size, sizeof label)}, o).clicked) ask_or_write(f);
 }
 
 void Setup::draw_store(Frame& f) {
-  const std::string_view why = f.connected() && storing_ ? "It is being stored." : f.no_link();
+  const std::string_view why = f.connected() && storing_ ? "The set-up is being stored." : f.no_link();
   const std::string_view label = f.area.width < 560 ? "Store" : "Store in controller";
-  const Path tip = what_store_keeps(f);
+  const Path tip = store_words(f);
   if (!button(f.ui, "setup/store", label, {.disabled = why, .tip = tip, .height = 40}).clicked) return;
-  f.withdraw(&storing_);  // why it was not stored before
+  f.withdraw(&storing_);  // the message why values were not stored
   storing_ = f.send_and_watch(intent::Store());
 }
 
@@ -261,7 +261,7 @@ void Setup::draw_list(Frame& f, float width) {
   if (!any) {
     gap(ui, 16);
     wrapped(ui, Face::body, Tone::ink2,
-            show_ == Show::changed && filter_.empty() ? "Nothing here differs from the controller."
+            show_ == Show::changed && filter_.empty() ? "No value here differs from the controller."
             : filter_.empty()                         ? "Every value is the factory value."
                               : "No parameter name or explanation contains these words.");
   }
@@ -309,7 +309,7 @@ void Setup::draw_facts(Frame& f, float left) {
   if (unit.per != 1 && has.known)
     fact("setup/facts/own", "On the wire", fmt::format("{} {}", has.value, p.unit));
   fact("setup/facts/kept", "After power-off",
-       !p.stored    ? "gone"
+       !p.stored    ? "lost"
        : !has.known ? "as last stored"
        : has.stored ? "kept"
                     : "not stored yet",
@@ -363,18 +363,18 @@ void Setup::draw_files(Frame& f) {
   const auto path = save_.draw(f.ui);
   if (!path) return;
   const void* attempt = &save_;
-  f.withdraw(attempt);  // why it was not saved before
+  f.withdraw(attempt);  // the message why the file was not saved
   Backup file = desk.setup.to_file(f.now);
   file.name = f.tab.name();
-  desk.worker().run([path = *path, text = write_backup(file, f.catalog)] { return write_file(path, text); },
-                    [&console, attempt, path = *path](Result<> saved) {
-                      if (saved)
-                        console.toast(Severity::ok,
-                                      fmt::format("The set-up was saved as {}.", path.string()));
-                      else
-                        console.toast(Severity::fault, saved.error().sentence(), attempt);
-                    },
-                    desk.alive());
+  desk.work.worker().run(
+      [path = *path, text = write_backup(file, f.catalog)] { return write_file(path, text); },
+      [&console, attempt, path = *path](Result<> saved) {
+        if (saved)
+          console.toast(Severity::ok, fmt::format("The set-up was saved as {}.", path.string()));
+        else
+          console.toast(Severity::fault, saved.error().sentence(), attempt);
+      },
+      desk.work.alive());
 }
 
 void Setup::taken_from_file(Frame& f, const Result<Backup>& file, const std::string& name) {

@@ -1,6 +1,6 @@
 #pragma once
-// Every parameter of the controller: present value, wanted value, meaning. Nothing is sent before Write;
-// parameters with a warning are confirmed first.
+// Shows all parameters of the controller: present value, wanted value, meaning. Nothing is sent before the
+// user presses Write; parameters with a warning must be confirmed first.
 #include <string>
 #include <vector>
 
@@ -41,9 +41,9 @@ class Setup final : public gui::Panel {
   SetupList order_;
   std::string filter_;
   Show show_ = Show::all;
-  bool list_changed_ = false;  ///< by search or choice: scroll to its top
+  bool list_changed_ = false;  ///< the list was changed by search or choice, so it scrolls to its top
   std::size_t chosen_ = 0;
-  std::vector<std::string> problems_;  ///< of the file opened last
+  std::vector<std::string> problems_;  ///< problems of the file opened last
   std::string from_file_;
   bool asking_ = false, asked_to_read_ = false;
   std::string question_title_, question_;

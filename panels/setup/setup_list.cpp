@@ -45,7 +45,7 @@ const std::vector<SetupList::Section>& SetupList::sections(const Catalog& c) {
     if (section == sections_.end()) section = sections_.insert(section, {std::move(title), {}});
     for (; i < run.end; ++i) section->params.push_back(i);
   }
-  for (Section& s : sections_)  // settings of no axis come first
+  for (Section& s : sections_)  // settings without an axis come first
     std::stable_sort(s.params.begin(), s.params.end(),
                      [&](std::size_t a, std::size_t b) { return c.params[a].axis < c.params[b].axis; });
   return sections_;

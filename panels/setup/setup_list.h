@@ -1,6 +1,6 @@
 #pragma once
-// The order of the set-up list, and the common width of its fields. Settings of one heading stand together,
-// those of an axis beside each other in catalog order.
+// Gives the order of the set-up list, and the common width of its fields. Settings of a heading are together,
+// those of an axis are adjacent in catalog order.
 #include <string>
 #include <vector>
 
@@ -15,9 +15,10 @@ class SetupList {
     std::string title;
     std::vector<std::size_t> params;  ///< indexes into Catalog::params
   };
-  /// Made at the first call.
+  /// The sections, made at the first call.
   const std::vector<Section>& sections(const Catalog& catalog);
-  /// Logical, for a whole row of `room`: as wide as the longest choice, if half of the row can hold it.
+  /// The logical width of a field in a row as wide as `room`: that of the longest choice, if half of the row
+  /// can hold it.
   float field_width(const gui::Ui& ui, const Catalog& catalog, float room);
 
  private:

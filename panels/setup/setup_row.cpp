@@ -18,7 +18,7 @@ namespace {
 
 constexpr float setup_row_height = 40, bit_height = 32, mnemonic_width = 56;
 
-/// A box with a tick and its words; true: pressed.
+/// Draws a box with a tick and its words. Returns true when it was pressed.
 bool bit_box(Ui& ui, std::string_view id, std::string_view label, bool on, std::string_view disabled,
              float width) {
   const Touch t = touch(
@@ -77,7 +77,7 @@ bool SetupRow::draw(bool hover_counts) {
   return focused || (pointed && hover_counts);
 }
 
-// The note stands after the name, or below it if there is no room: it is never left out.
+// The note is after the name, or below it if it does not fit. It is never left out.
 void SetupRow::draw_words(float right, float y) {
   const float middle = y + ui_.px(setup_row_height / 2);
   const bool off = edits_.off_factory(i_, f_.now);
@@ -98,7 +98,7 @@ void SetupRow::draw_words(float right, float y) {
   draw_note(words, tone, ImVec2(beside ? right - wide : x, middle + apart));
 }
 
-/// The controller's different value, or the factory's, or that the value is lost with the power.
+/// Notes another value in the controller, the factory's value, or that the value is lost with the power.
 Path SetupRow::note(Tone& tone) const {
   const bool changed = edits_.changed(i_, f_.now);
   if (changed && has_.known) return Path("was {}", text_in(unit_, p_, has_.value));
@@ -109,7 +109,7 @@ Path SetupRow::note(Tone& tone) const {
   }
   if (edits_.off_factory(i_, f_.now)) return Path("factory {}", text_in(unit_, p_, p_.fallback));
   if (!p_.stored && f_.catalog.can.store)
-    return Path("not kept by Store");  // else this applies to all parameters
+    return Path("not kept by Store");  // otherwise it is true for all parameters
   return Path("");
 }
 
@@ -141,7 +141,7 @@ void SetupRow::draw_control(float left, float y) {
     draw_number(y);
 }
 
-/// A name that ends in a number: typed in full, or only the number.
+/// Draws a name that ends in a number. The user may type it in full, or only the number.
 void SetupRow::draw_name(float y) {
   const auto shown = edits_.shown(i_, f_.now);
   std::string& text = state_.number.text;
@@ -176,7 +176,8 @@ void SetupRow::draw_name(float y) {
 void SetupRow::draw_number(float y) {
   if (!p_.prefix.empty()) return draw_name(y);
   const auto shown = edits_.shown(i_, f_.now);
-  if (unit_ != state_.unit) state_.number.reset(), state_.unit = unit_;  // typed in another unit
+  if (unit_ != state_.unit)
+    state_.number.reset(), state_.unit = unit_;  // the number was typed in another unit
   NumberOptions options;
   const double a = unit_.shown(p_.also_zero ? std::min<std::int64_t>(0, p_.minimum) : p_.minimum);
   const double b = unit_.shown(p_.maximum);

@@ -1,6 +1,5 @@
 #pragma once
-// A row for one parameter of the set-up: mnemonic, name, previous value, and the control that suits its
-// values.
+// Draws the row of a parameter of the set-up: mnemonic, name, previous value, and the control for its values.
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,12 +13,12 @@
 
 namespace hw::panels {
 
-/// View state of one row.
+/// The view state of a row.
 struct SetupRowState {
   gui::NumberField number;
   ShownUnit unit;                       ///< of the content of `number`
   bool typing_name = false;             ///< a name is being typed into number.text
-  std::vector<std::string> names;       ///< of the choices
+  std::vector<std::string> names;       ///< names of the choices
   std::vector<std::string_view> views;  ///< into `names`
 };
 
@@ -33,7 +32,8 @@ class SetupRow {
  public:
   SetupRow(gui::Frame& frame, gui::SetupEdits& edits, std::size_t i, SetupRowState& state,
            const SetupRowPlace& place);
-  /// Draws at ImGui's cursor. True: the caret or focus ring is on it, or (if `hover_counts`) the mouse.
+  /// Draws at ImGui's cursor. Returns true when the caret or focus ring is on the row, or (if `hover_counts`)
+  /// the mouse.
   bool draw(bool hover_counts);
 
  private:

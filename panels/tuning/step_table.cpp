@@ -15,7 +15,7 @@ namespace {
 
 constexpr float step_row_height = 26;
 
-/// Instead of a unit.
+/// Replaces a unit.
 constexpr std::string_view bare = "-";
 
 struct Line {
@@ -47,7 +47,7 @@ Path unit_of(const Frame& f, const Line& m) {
   return Path(" {}", m.unit.empty() ? std::string_view(f.catalog.step_word) : m.unit);
 }
 
-/// Without unit: "12.0", "3.1 to 5.2", or "12.0 or more" if a gap hid the exact value.
+/// The number without unit: "12.0", "3.1 to 5.2", or "12.0 or more" if a gap hid the exact value.
 Path measure_number(const Line& m, const StepMeasures& of) {
   const auto value = m.of(of);
   if (!of.any) return Path("{}", "");
@@ -73,8 +73,8 @@ struct Change {
 };
 Change change_in_words(std::string_view words) { return {Path("{}", words), Tone::ink2, Path("{}", words)}; }
 
-/// Less is better in every line; errors count without their sign. A verdict requires the known scatter
-/// between runs without a change.
+/// Less is better in all lines; errors count without their sign. A verdict needs the known scatter between
+/// runs without a change.
 Change change_of(const Frame& f, const Line& m, const TwoSteps& s, bool roomy) {
   const auto now = m.of(s.now), was = m.of(s.was);
   if (s.number == 0 || s.before == 0 || !s.now.any || !s.was.any || !now || !was) return change_in_words("");
@@ -137,7 +137,7 @@ void draw_step_table(Frame& f, const TwoSteps& s, float width) {
   gap(ui, 8);
 }
 
-/// A column for each measure; the unit stands under the name, and a change takes two lines.
+/// Draws a column for each measure. The unit is below the name, and a change takes two lines.
 void draw_flat_step_table(Frame& f, const TwoSteps& s, float width) {
   Ui& ui = f.ui;
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -1,6 +1,6 @@
 #pragma once
-// Two recorded steps in numbers, and whether the newer one is better: a row for each measure, or a column if
-// the plots need the height. Ids: `tuning/measure/overshoot`, `/before`, `/change`.
+// Draws two recorded steps in numbers, and whether the newer step is better: a row for each measure, or a
+// column if the plots need the height. Ids: `tuning/measure/overshoot`, `/before`, `/change`.
 #include "gui/model/step_response.h"
 #include "gui/shell/frame.h"
 
@@ -14,7 +14,7 @@ struct TwoSteps {
   const gui::StepMeasures& now;
   int before = 0;  ///< 0: none
   const gui::StepMeasures& was;
-  const gui::StepScatter& scatter;  ///< a difference must exceed this, once known
+  const gui::StepScatter& scatter;  ///< a difference must exceed it, if it is known
 };
 /// Draws at ImGui's cursor, `width` logical.
 void draw_step_table(gui::Frame& frame, const TwoSteps& steps, float width);

@@ -107,6 +107,10 @@ void Tuning::choose_axis(Frame& f, int axis) {
   make(f);
 }
 
+std::string_view Tuning::why_not_beside_repeat(const Frame& f) const {
+  return recorder_->repeats() ? std::string_view("Repeat is on: switch it off first.") : why_not(f);
+}
+
 std::string_view Tuning::why_not(const Frame& f) const {
   if (const std::string_view why = recorder_->why_not(axis(), steps_view(f.tab)); !why.empty()) return why;
   const auto step = step_.value(), length = length_.value();
@@ -128,7 +132,7 @@ void Tuning::draw_toolbar(Frame& f) {
   go.icon = Icon::play;
   go.moving = true;
   go.height = 40;
-  go.disabled = recorder_->repeats() ? std::string_view("Repeat is on: switch it off first.") : why_not(f);
+  go.disabled = why_not_beside_repeat(f);
   go.tip = "Moves the axis by the step and records it.";
   if (button(ui, "tuning/record", f.area.width >= 640 ? "Record step" : "Record", go).clicked) {
     drop_samples(f.tab);
@@ -136,7 +140,7 @@ void Tuning::draw_toolbar(Frame& f) {
   }
   ImGui::SameLine(0, ui.px(8));
   ButtonOptions again;
-  again.moving = !recorder_->repeats();  // a press that ends it takes effect at once
+  again.moving = !recorder_->repeats();  // a press that ends the series takes effect at once
   again.height = 40;
   again.on = true;
   again.width = button_width(ui, "Repeat", again);  // the same width in both states

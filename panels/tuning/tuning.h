@@ -1,6 +1,6 @@
 #pragma once
 // The step response of a servo axis: makes and records a step, draws it over the previous run, and measures
-// it; gains are edited beside it. Ids: `tuning/record`, `tuning/repeat`, `tuning/scatter`, `tuning/axis`,
+// it. The gains are edited beside it. Ids: `tuning/record`, `tuning/repeat`, `tuning/scatter`, `tuning/axis`,
 // `tuning/step`, `tuning/length`, `tuning/compare`, `tuning/plot`, `tuning/error`, `tuning/output`,
 // `tuning/KPX`, `tuning/send`, `tuning/measure/overshoot` (`/before`, `/change`).
 #include <string>
@@ -26,9 +26,11 @@ class Tuning final : public gui::Panel {
   void name_runs();
   void measure_before();
   void choose_axis(gui::Frame& frame, int axis);
-  /// As the fields say. Call only where why_not() is empty.
+  /// The plan in the fields. Call only while why_not() is empty.
   [[nodiscard]] gui::StepRecorder::Plan plan() const;
   [[nodiscard]] std::string_view why_not(const gui::Frame& frame) const;
+  /// The same for a step that cannot be made while Repeat is on.
+  [[nodiscard]] std::string_view why_not_beside_repeat(const gui::Frame& frame) const;
 
   void draw_toolbar(gui::Frame& frame);
   void draw_fields(gui::Frame& frame);
@@ -46,21 +48,21 @@ class Tuning final : public gui::Panel {
     return recorder_->runs().empty() ? nullptr : &recorder_->runs().back();
   }
   [[nodiscard]] bool shows_output() const;
-  /// The run that the latest is compared with; null: none.
+  /// The run with which the latest run is compared; null: none.
   [[nodiscard]] const gui::StepRun* before() const;
   [[nodiscard]] AxisId axis() const { return axes_[static_cast<std::size_t>(chosen_)]; }
 
   gui::StepRecorder* recorder_ = nullptr;  ///< of the desk
-  std::vector<AxisId> axes_;               ///< with gains
+  std::vector<AxisId> axes_;               ///< axes with gains
   std::vector<std::string_view> names_;
-  std::vector<std::size_t> gains_;        ///< of the chosen axis: indexes into Catalog::params
+  std::vector<std::size_t> gains_;        ///< gains of the chosen axis: indexes into Catalog::params
   std::vector<gui::NumberField> fields_;  ///< by parameter
   int chosen_ = 0;
   gui::NumberField step_, length_;
-  /// The run that the latest one is compared with.
+  /// The run with which the latest run is compared.
   struct Compared {
     int wanted = 0;  ///< number of a run; 0: the previous one
-    int latest = 0;  ///< the run that it was found for
+    int latest = 0;  ///< number of the run for which it was found
     int number = 0;  ///< 0: none
     gui::StepMeasures measures;
     std::vector<std::string> texts;       ///< the runs to choose from
@@ -70,7 +72,7 @@ class Tuning final : public gui::Panel {
   gui::PlotCursor cursor_;
 };
 
-/// The controller has servo axes with gains.
+/// Whether the controller has servo axes with gains.
 bool can_tune(const Catalog& catalog);
 
 }  // namespace hw::panels

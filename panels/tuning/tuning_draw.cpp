@@ -1,4 +1,4 @@
-// The drawing of the tuning panel: plots, measures, gains.
+// Draws the tuning panel: plots, measures, gains.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,11 +19,11 @@ using namespace gui;
 namespace {
 
 constexpr float gain_row = 36;
-// Heights at which a plot is readable from beside the machine; and the minimum.
+// Heights at which a plot can be read from beside the machine, and the least heights.
 constexpr float good_plot = 250, good_small_plot = 90;
 constexpr float least_plot = 140, least_small_plot = 84;
 
-/// How the height is shared. If it is too small, the measurements scroll out of sight.
+/// Shares the height. If it is too small, the measurements can be scrolled to.
 struct WorkHeights {
   float plot, small_plot;
   bool stacked;  ///< small plots below each other, else side by side
@@ -163,7 +163,7 @@ void Tuning::draw_error(Frame& f, float width, float height, bool lowest) {
   plot(f.ui, "tuning/error", "Following error", {traces.data(), n}, o, cursor_);
 }
 
-/// No controller reports its output: the title says how it is computed, and the side lists the omissions.
+/// No controller reports its output, so the title says how it is computed, and the side lists the omissions.
 void Tuning::draw_output(Frame& f, float height) {
   const StepRun* run = latest();
   const StepRun* old = before();
@@ -239,7 +239,7 @@ void Tuning::draw_scatter(Frame& f, float width) {
   ButtonOptions three;
   three.width = width;
   three.moving = true;
-  three.disabled = recorder_->repeats() ? std::string_view("Repeat is on: switch it off first.") : why_not(f);
+  three.disabled = why_not_beside_repeat(f);
   three.tip = "Makes the step three times to and fro, and ends where it began.";
   if (button(ui, "tuning/scatter", "Repeat three times", three).clicked) {
     drop_samples(f.tab);

@@ -88,8 +88,8 @@ TEST(PathPicture, InPerspectiveLinesStandWhereTheViewPutsThem) {
   drawing::ToolPath path;
   path.go({0, 0, 0}, {100, 0, 0}, true, 0);
   path.go({100, 0, 0}, {100, 80, 60}, false, 0);
-  const drawing::PathView view(path.bounds, drawing::Projection(path.bounds, drawing::looking::iso, true),
-                               200, 200, true);
+  const drawing::PathView view(path.bounds, drawing::Projection(path.bounds, drawing::views::iso, true), 200,
+                               200, true);
   const Picture picture = path_picture(std::array{PathLayer{&path, {crimson, grey, 2, 2, 0, 0}}}, view);
   const auto alpha = [&](drawing::Point3 p) {
     const drawing::Point px = view.to_px(p);

@@ -53,9 +53,9 @@ TEST(Tooltip, OfAFieldLeavesTheRefusalUnderItLegible) {
 TEST(Tooltip, StandsOverNeitherCardNorStop) {
   const Rect card{ImVec2(100, 132), ImVec2(400, 232)}, stop{ImVec2(600, 132), ImVec2(800, 188)};
   Stage stage(in_window([&](Ui& ui) {
-    show(ui, {.id = "card", .kind = Kind::text, .card = true}, card);
+    show(ui, {.id = "card", .kind = Kind::text, .label = "A card", .card = true}, card);
     ImGui::SetCursorScreenPos(stop.min);
-    (void)touch(ui, {.id = "stop", .kind = Kind::button, .stops = true}, ImVec2(200, 56));
+    (void)touch(ui, {.id = "stop", .kind = Kind::button, .label = "Stop", .stops = true}, ImVec2(200, 56));
     for (const float x : {100.0f, 600.0f}) {
       ImGui::SetCursorScreenPos(ImVec2(x, 100));
       (void)button(ui, x < 200 ? "a" : "b", "Go", {.tip = "What this does, in a whole sentence."});

@@ -36,7 +36,7 @@ TEST_F(LongBlocks, OfMoreThanAnHourThatIsReported) {
   s.stage.frames(6);
   EXPECT_THAT(value("blocks/at_least"), StartsWith("at least 1 h"));
   EXPECT_THAT(value("blocks/1/time"), StartsWith("over 1 h"));
-  EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("more than the hour"));
+  EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("longer than the hour"));
 }
 
 TEST_F(LongBlocks, OfAMotionWithoutEndThatIsReportedAtItsBlock) {

@@ -85,7 +85,7 @@ TEST_F(BoundBlocks, TheRestFromTheChosenBlockOnIsAskedForWithTheWayThere) {
   const std::string asked = value("blocks/run_from/says");
   EXPECT_THAT(asked, ::testing::HasSubstr("Move to X 150, Y 0 pulses.")) << s.toast();
   EXPECT_THAT(asked, ::testing::HasSubstr("Then step 2, Move to Y 300, and everything after it.\nDistances "
-                                          "above it are counted from where the axes stand now."));
+                                          "above it are counted from the present positions of the axes."));
   EXPECT_TRUE(s.sent.empty());
   s.click("blocks/run_from/yes");
   EXPECT_TRUE(s.last<intent::LoadProgram>()) << s.toast();
@@ -157,7 +157,7 @@ TEST_F(RestOfBlocks, OfARestThatRunsTheBlockAtWorkIsLit) {
   EXPECT_NE(value("blocks/4/time"), "held here") << "what runs is not what these blocks are now";
 }
 
-TEST_F(BoundBlocks, WithinALoopNobodyKnowsWhichRoundIsMeant) {
+TEST_F(BoundBlocks, RunFromHereIsRefusedInsideALoop) {
   load({to(0), {sequence::Repeat{3, {by(10), to({}, 5)}}}});
   s.click("blocks/3");
   s.click("blocks/run_here");

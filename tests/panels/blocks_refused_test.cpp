@@ -49,7 +49,7 @@ TEST_F(RefusedBlocks, TheNearestThatCanBeIsOneClickAway) {
   s.type("blocks/1/to/X", "900000000");
   s.stage.frames(3);
   EXPECT_EQ(text(), "; block 1 is not written\nEND\n");
-  EXPECT_THAT(value("blocks/1/refusal"), HasSubstr("goes from"));
+  EXPECT_THAT(value("blocks/1/refusal"), HasSubstr("the range of "));
   s.click("blocks/1/nearest");
   s.stage.frames(3);
   EXPECT_THAT(text(), HasSubstr("X134217727Y5\n"));

@@ -54,7 +54,7 @@ TEST_F(RunBlocks, F5ReadsTheProgramsThatTheyReach) {
   ASSERT_TRUE(s.last<intent::UploadProgram>());
   EXPECT_EQ(s.last<intent::UploadProgram>()->slot, 2);
   EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("Rehearsing."));
-  s.tab.desk().texts.listed(2, "P30", s.tab.clock());
+  s.tab.desk().programs.texts.listed(2, "P30", s.tab.clock());
   s.settle(IntentState::done);
   s.stage.frames(6);
   EXPECT_THAT(value("blocks/assumed"), ::testing::Not(HasSubstr("program 2")));
@@ -102,14 +102,14 @@ TEST_F(RunPmxBlocks, WhatTheControllerRefusesStandsBesideRunUntilItIsMended) {
 
 TEST_F(RunBlocks, TheyAreRehearsedAsTheProgramThatTheyAreRunAs) {
   load({{sequence::Custom{"", "JM2"}}});
-  s.tab.desk().texts.listed(2, "I1M400", s.tab.clock());
-  s.tab.desk().texts.listed(0, "I2M400", s.tab.clock());
-  s.tab.desk().texts.choose(3);
+  s.tab.desk().programs.texts.listed(2, "I1M400", s.tab.clock());
+  s.tab.desk().programs.texts.listed(0, "I2M400", s.tab.clock());
+  s.tab.desk().programs.texts.choose(3);
   s.stage.frames(6);
-  s.tab.desk().texts.listed(3, "I1M77", s.tab.clock());
+  s.tab.desk().programs.texts.listed(3, "I1M77", s.tab.clock());
   s.stage.frames(4);
   EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("Rehearsed: this text")) << "it replaces program 3";
-  s.tab.desk().texts.listed(2, "I1M500", s.tab.clock());
+  s.tab.desk().programs.texts.listed(2, "I1M500", s.tab.clock());
   s.stage.frames(4);
   EXPECT_THAT(value("blocks/rehearsed"), HasSubstr("another program was changed"));
 }
@@ -131,7 +131,7 @@ TEST_F(RunBlocks, ADoubtIsAskedAboutBesideRun) {
 }
 
 TEST_F(RunBlocks, ConsentOutlastsTheQuestionAboutTheTextAndCoversNoNewDoubt) {
-  s.tab.desk().texts.set_text(0, "I2M1\n");
+  s.tab.desk().programs.texts.set_text(0, "I2M1\n");
   s.now.axes[0].trust.doubt(Doubt::power_cut, Instant());
   s.stage.frames(2);
   s.click("blocks/run");
@@ -147,8 +147,8 @@ TEST_F(RunBlocks, ConsentOutlastsTheQuestionAboutTheTextAndCoversNoNewDoubt) {
 
 TEST_F(RunBlocks, TheTimeLeftStandsOverThemWhileTheyRun) {
   EXPECT_FALSE(s.stage.find("blocks/left"));
-  s.tab.desk().texts.set_text(0, text());
-  s.tab.desk().texts.loaded(0, text(), s.tab.clock());
+  s.tab.desk().programs.texts.set_text(0, text());
+  s.tab.desk().programs.texts.loaded(0, text(), s.tab.clock());
   s.now.program = {.run = RunState::running, .owned = true, .slot = 0};
   s.now.program.started_at = s.tab.clock();
   s.stage.frames(6);

@@ -1,4 +1,5 @@
 // Several blocks that stand behind each other are chosen, and treated as one.
+#include "panels/blocks/block_rows.h"
 #include "tests/panels/blocks_stage.h"
 
 namespace hw::panels {
@@ -14,9 +15,12 @@ struct SeveralBlocks : test_blocks::BlocksStage {
   }
   std::string delays() {
     std::string all;
-    for (const sequence::StepRow& row : editor().rows()) {
-      const auto* delay = std::get_if<sequence::Delay>(&row.step->body);
-      all += (all.empty() ? "" : " ") + std::string(row.step->skipped ? "-" : "") +
+    BlockRows rows;
+    rows.follow(editor());
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const sequence::Step& step = rows.step(row);
+      const auto* delay = std::get_if<sequence::Delay>(&step.body);
+      all += (all.empty() ? "" : " ") + std::string(step.skipped ? "-" : "") +
              (delay ? std::to_string(static_cast<int>(delay->ms)) : "(");
     }
     return all;

@@ -57,7 +57,7 @@ TEST_F(BlocksTest, WhatIsClickedTogetherIsWritten) {
   EXPECT_EQ(text(), "ABS\nX1200Y-50\nWAITX\nDO5=1\nEND\n");
   EXPECT_EQ(s.value("blocks/1"), "X 1200, Y -50");
   s.click("blocks/to_program");
-  EXPECT_EQ(s.tab.desk().texts.text(0), text());
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), text());
 }
 
 TEST_F(BlocksTest, BlocksMoveInAndOutOfLoops) {
@@ -85,14 +85,14 @@ TEST_F(BlocksTest, ABlockIsLeftOutDuplicatedAndRemoved) {
   s.click("blocks/add/comment");
   s.click("blocks/duplicate");
   s.type("blocks/2/text", "second");
-  EXPECT_EQ(text(), "; what comes now\n; second\nEND\n");
+  EXPECT_EQ(text(), "; what comes next\n; second\nEND\n");
   s.click("blocks/skip");
-  EXPECT_EQ(text(), "; what comes now\nEND\n");
+  EXPECT_EQ(text(), "; what comes next\nEND\n");
   s.click("blocks/skip");
   s.click("blocks/remove");
-  EXPECT_EQ(text(), "; what comes now\nEND\n");
+  EXPECT_EQ(text(), "; what comes next\nEND\n");
   s.click("blocks/loop");
-  EXPECT_THAT(text(), HasSubstr("WHILE V49<2\n  ; what comes now"));
+  EXPECT_THAT(text(), HasSubstr("WHILE V49<2\n  ; what comes next"));
 }
 
 TEST_F(BlocksTest, ATargetIsTaughtWhereTheAxesAre) {
@@ -140,7 +140,7 @@ TEST_F(BlocksTest, SpaceLeavesTheChosenOneOut) {
   key("space");
   EXPECT_EQ(text(), "END\n");
   key("space");
-  EXPECT_EQ(text(), "; what comes now\nEND\n");
+  EXPECT_EQ(text(), "; what comes next\nEND\n");
 }
 
 TEST_F(VxmBlocksTest, WhatCannotBeDoneIsReportedAtItsBlock) {
@@ -158,14 +158,14 @@ TEST_F(VxmBlocksTest, WhatCannotBeDoneIsReportedAtItsBlock) {
 }
 
 TEST_F(BlocksTest, ATextWithChangesIsNotReplacedWithoutBeingAsked) {
-  s.tab.desk().texts.set_text(0, "END\n");
+  s.tab.desk().programs.texts.set_text(0, "END\n");
   s.click("blocks/add/delay");
   s.click("blocks/to_program");
   s.click("blocks/replace/no");
-  EXPECT_EQ(s.tab.desk().texts.text(0), "END\n");
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), "END\n");
   s.click("blocks/to_program");
   s.click("blocks/replace/yes");
-  EXPECT_EQ(s.tab.desk().texts.text(0), "DELAY=500\nEND\n");
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), "DELAY=500\nEND\n");
 }
 
 TEST_F(VxmBlocksTest, BlocksRunWhereTheyStand) {
@@ -175,7 +175,7 @@ TEST_F(VxmBlocksTest, BlocksRunWhereTheyStand) {
   s.type("blocks/1/to/1", "400");
   s.click("blocks/add/delay");
   s.click("blocks/run");
-  EXPECT_EQ(s.tab.desk().texts.text(0), text());
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), text());
   ASSERT_TRUE(s.last<intent::LoadProgram>());
   EXPECT_EQ(s.last<intent::LoadProgram>()->text, text());
   EXPECT_THAT(s.reason("blocks/run"), HasSubstr("transferred"));
@@ -201,14 +201,14 @@ TEST_F(VxmBlocksTest, BlocksRunWhereTheyStand) {
 
 TEST_F(VxmBlocksTest, AStopWhileRunIsAskedAboutIsTheLastWord) {
   s.now.slot_bytes_used[0] = 0;
-  s.tab.desk().texts.set_text(0, "I2M1\n");
+  s.tab.desk().programs.texts.set_text(0, "I2M1\n");
   s.click("blocks/add/delay");
   s.click("blocks/run");
   ASSERT_TRUE(s.stage.find("blocks/replace/yes"));
   s.tab.desk().stopped();
   s.click("blocks/replace/yes");
   EXPECT_FALSE(s.last<intent::LoadProgram>());
-  EXPECT_EQ(s.tab.desk().texts.text(0), text()) << "it is only there";
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), text()) << "it is only there";
   EXPECT_THAT(s.value("blocks/run_refused"), HasSubstr("A stop came first"));
   s.click("blocks/run");
   EXPECT_TRUE(s.last<intent::LoadProgram>());
@@ -262,7 +262,7 @@ TEST(BlocksInASmallWindow, ShowTheirTextAndPathInThePlaceOfThePalette) {
   EXPECT_EQ(s.value("blocks/text"), "DELAY=500\nEND\n");
   EXPECT_TRUE(s.stage.find("blocks/path"));
   s.type("blocks/add_by_name", "comm\n");
-  EXPECT_THAT(s.value("blocks/text"), HasSubstr("; what comes now"));
+  EXPECT_THAT(s.value("blocks/text"), HasSubstr("; what comes next"));
   s.click("blocks/aside");
   EXPECT_TRUE(s.stage.find("blocks/add/delay"));
 }
@@ -347,13 +347,13 @@ TEST_F(BlocksTest, KeysDoWhatTheButtonsDo) {
   s.click("blocks/add/delay");
   s.click("blocks/add/comment");
   key("ctrl+d");
-  EXPECT_EQ(text(), "DELAY=500\n; what comes now\n; what comes now\nEND\n");
+  EXPECT_EQ(text(), "DELAY=500\n; what comes next\n; what comes next\nEND\n");
   s.click("blocks/1");
   key("alt+down");
-  EXPECT_EQ(text(), "; what comes now\nDELAY=500\n; what comes now\nEND\n");
+  EXPECT_EQ(text(), "; what comes next\nDELAY=500\n; what comes next\nEND\n");
   EXPECT_TRUE(s.sent.empty()) << "an arrow with Alt does not jog";
   key("delete");
-  EXPECT_EQ(text(), "; what comes now\n; what comes now\nEND\n");
+  EXPECT_EQ(text(), "; what comes next\n; what comes next\nEND\n");
   key("ctrl+z");
   EXPECT_THAT(text(), HasSubstr("DELAY=500"));
   s.click("blocks/end");
@@ -405,12 +405,12 @@ TEST_F(BlocksTest, BlocksComeBackAfterACrash) {
   folders.state = folder;
   folders.enabled = true;
   gui::Desk& desk = s.tab.desk();
-  ASSERT_TRUE(desk.keep_texts(Autosave(folders), "here"));
+  ASSERT_TRUE(desk.kept.begin(Autosave(folders), "here"));
   s.click("blocks/add/delay");
   desk.keep_now({});
   s.stage.frames(2);
   gui::Desk again(s.catalog, &type.language(), nullptr);
-  ASSERT_TRUE(again.keep_texts(Autosave(folders), "here"));
+  ASSERT_TRUE(again.kept.begin(Autosave(folders), "here"));
   EXPECT_EQ(again.blocks.editor.sequence(), desk.blocks.editor.sequence());
   EXPECT_TRUE(again.blocks.edited());
   std::filesystem::remove_all(folder);
@@ -443,7 +443,7 @@ TEST_F(BlocksTest, TheTextBecomesBlocks) {
   EXPECT_THAT(s.reason("blocks/from_text"), HasSubstr("The program is empty"));
   const std::string program =
       "; to and fro\nABS\nV49=0\nWHILE V49<3\n  X100\n  V49=V49+1\nENDWHILE\nV1=MSTX\nEND\n";
-  s.tab.desk().texts.set_text(0, program);
+  s.tab.desk().programs.texts.set_text(0, program);
   s.stage.frames(2);
   s.click("blocks/from_text");
   s.stage.frames(3);
@@ -455,12 +455,12 @@ TEST_F(BlocksTest, TheTextBecomesBlocks) {
   EXPECT_THAT(s.toast(), HasSubstr("The text has become 4 blocks"));
   s.click("blocks/undo");
   EXPECT_EQ(s.stage.find("blocks/1"), nullptr);
-  EXPECT_EQ(s.tab.desk().texts.text(0), program);
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), program);
 }
 
 TEST_F(BlocksTest, BlocksWithChangesAreNotReplacedByATextWithoutBeingAsked) {
   s.click("blocks/add/delay");
-  s.tab.desk().texts.set_text(0, "X100\nEND\n");
+  s.tab.desk().programs.texts.set_text(0, "X100\nEND\n");
   s.stage.frames(2);
   s.click("blocks/from_text");
   s.click("blocks/replace_all/no");
@@ -470,14 +470,14 @@ TEST_F(BlocksTest, BlocksWithChangesAreNotReplacedByATextWithoutBeingAsked) {
   s.stage.frames(3);
   EXPECT_EQ(text(), "ABS\nX100\nEND\n");
   EXPECT_THAT(s.toast(),
-              HasSubstr("Line 1 goes to a place or by a distance, depending on an earlier setting"));
+              HasSubstr("Line 1 moves to a place or by a distance, depending on an earlier setting"));
   s.click("blocks/undo");
   EXPECT_EQ(text(), "DELAY=500\nEND\n");
 }
 
 TEST_F(BlocksTest, ATextThatIsNoBlocksReportsWhereAndLeavesThemAlone) {
   s.click("blocks/add/delay");
-  s.tab.desk().texts.set_text(0, "X100\nGOSUB 5\nEND\nSUB 5\nX0\nENDSUB\n");
+  s.tab.desk().programs.texts.set_text(0, "X100\nGOSUB 5\nEND\nSUB 5\nX0\nENDSUB\n");
   s.stage.frames(2);
   s.click("blocks/from_text");
   s.click("blocks/replace_all/yes");

@@ -13,14 +13,14 @@ void with_units(Catalog& c) {
 struct BlocksInUnits : test_blocks::BlocksStage {
   BlocksInUnits() : BlocksStage("pmx-4ex-sa", with_units) {}
   void choose(const char* x, const char* others) {
-    s.tab.profile.unit = "real";
-    for (AxisProfile& axis : s.tab.profile.axes) axis.unit_choice = others;
-    s.tab.profile.axes[0].unit_choice = x;
+    s.tab.settings.profile.unit = "real";
+    for (AxisProfile& axis : s.tab.settings.profile.axes) axis.unit_choice = others;
+    s.tab.settings.profile.axes[0].unit_choice = x;
     show_real(true);
   }
   void show_real(bool real) {
-    s.tab.profile.unit = real ? "real" : "pulses";
-    s.tab.profile_edited();
+    s.tab.settings.profile.unit = real ? "real" : "pulses";
+    s.tab.settings.edited();
     s.stage.frames(4);
   }
   /// Where the axes stand now, in pulses.

@@ -112,7 +112,7 @@ TEST_F(BusTest, ThePadStopsTheChosenOne) {
   EXPECT_EQ(b.count<intent::Stop>(), 0);
 }
 
-TEST_F(BusTest, WhoIsInTroubleIsNamedAndShownAndKeepsItsPlace) {
+TEST_F(BusTest, ADeviceInTroubleIsNamedAndShownAndKeepsItsPlace) {
   s.run(0.2);
   const float was = s.stage.find("bus/03")->rect.min.y;
   c.now.link.state = LinkState::lost;
@@ -155,7 +155,7 @@ TEST_F(BusTest, TheTerminalSpeaksToOneOrToAll) {
 }
 
 TEST_F(BusTest, OneChoiceOfStepAndSpeedIsForAllRows) {
-  a.tab->profile.jog_speed = Pps(300);
+  a.tab->settings.profile.jog_speed = Pps(300);
   MUST(s.hand.click("bus/02"));
   s.run(0.1);
   MUST(s.hand.click("jog/step/100"));
@@ -168,19 +168,19 @@ TEST_F(BusTest, OneChoiceOfStepAndSpeedIsForAllRows) {
   s.run(0.1);
   ASSERT_TRUE(c.last<intent::MoveBy>());
   EXPECT_EQ(c.last<intent::MoveBy>()->distances[0].value, Steps(100));
-  const Pps speed = a.tab->jog_speed();
+  const Pps speed = a.tab->settings.profile.jog_speed;
   EXPECT_NE(speed, Pps(300));
-  EXPECT_EQ(b.tab->jog_speed(), speed);
-  EXPECT_EQ(c.tab->jog_speed(), speed);
+  EXPECT_EQ(b.tab->settings.profile.jog_speed, speed);
+  EXPECT_EQ(c.tab->settings.profile.jog_speed, speed);
 }
 
-TEST(Bus, WhoJoinsTakesTheStepThatIsLit) {
+TEST(Bus, AJoiningDeviceTakesTheChosenStep) {
   ConsoleStage s;
   Example& a = s.add(one_of_bus(1));
   Example& b = s.add(one_of_bus(2));
-  a.tab->profile.jog_step = Steps(10);
-  a.tab->profile.jog_speed = Pps(300);
-  b.tab->profile.jog_step = Steps(1000);
+  a.tab->settings.profile.jog_step = Steps(10);
+  a.tab->settings.profile.jog_speed = Pps(300);
+  b.tab->settings.profile.jog_step = Steps(1000);
   s.console.join({a.tab, b.tab}, "Example 01-02");
   s.run(0.1);
   EXPECT_EQ(s.value("jog/step/10"), "on");
@@ -188,7 +188,7 @@ TEST(Bus, WhoJoinsTakesTheStepThatIsLit) {
   s.run(0.1);
   ASSERT_TRUE(b.last<intent::MoveBy>());
   EXPECT_EQ(b.last<intent::MoveBy>()->distances[0].value, Steps(10));
-  EXPECT_EQ(b.tab->jog_speed(), Pps(300));
+  EXPECT_EQ(b.tab->settings.profile.jog_speed, Pps(300));
 }
 
 TEST_F(BusTest, TheSpeedShownIsThatOfAllRows) {
@@ -199,9 +199,9 @@ TEST_F(BusTest, TheSpeedShownIsThatOfAllRows) {
 }
 
 TEST_F(BusTest, RowsInDifferentUnitsCountInTheirOwn) {
-  b.tab->profile.unit = "real";
-  b.tab->profile.axes[0].unit_choice = "screw of 1 mm";
-  b.tab->profile_edited();
+  b.tab->settings.profile.unit = "real";
+  b.tab->settings.profile.axes[0].unit_choice = "screw of 1 mm";
+  b.tab->settings.edited();
   MUST(s.hand.click("bus/02"));
   s.run(0.1);
   MUST(s.hand.click("jog/step/10"));
@@ -246,7 +246,7 @@ TEST_F(BusTest, ClosingAsksForEachThatMovesAndStopsAll) {
   EXPECT_TRUE(s.console.tabs().empty());
 }
 
-TEST_F(BusTest, NobodyIsAskedForWhoIsOutOfReach) {
+TEST_F(BusTest, ClosingAsksNothingAboutAnUnreachedDevice) {
   b.now.axes[0].activity = Activity::moving;
   b.now.link.state = LinkState::lost;
   s.run(0.1);

@@ -47,7 +47,7 @@ TEST(CentrePictures, Program) {
     Program panel;
     test::PanelStage s(panel, shape.width, shape.program_height, shape.scale, shape.tier, shape.dark,
                        d.catalog, &d.type.language());
-    gui::ProgramTexts& texts = s.tab.desk().texts;
+    gui::ProgramTexts& texts = s.tab.desk().programs.texts;
     texts.opened(0, "/home/somebody/plate-scan.vxm", TextFile{plate_scan});
     texts.loaded(0, plate_scan, s.tab.clock());
     s.stage.frames(2);
@@ -86,12 +86,12 @@ TEST(CentrePictures, Terminal) {
     Terminal panel;
     test::PanelStage s(panel, shape.width, shape.terminal_height, shape.scale, shape.tier, shape.dark,
                        d.catalog, &d.type.language(), d.type.explain);
-    s.tab.desk().traffic.set_clock(gui::DayClock{std::chrono::hours(14) + std::chrono::minutes(2)});
+    s.tab.desk().records.traffic.set_clock(gui::DayClock{std::chrono::hours(14) + std::chrono::minutes(2)});
     double at = 4.951;
     const auto wire = [&](Way way, TrafficKind kind, const char* bytes) {
       TrafficEntry e;
       e.at = Instant(from_seconds(at += 0.007)), e.way = way, e.kind = kind, e.bytes = bytes;
-      s.tab.desk().traffic.append(e);
+      s.tab.desk().records.traffic.append(e);
     };
     for (const char* line : {"PM-0\r", "S1M2000\r", "A1M2\r", "S2M1000\r", "IA1M0\r", "LM0\r", "L-20\r"})
       wire(Way::sent, TrafficKind::transfer, line);

@@ -27,7 +27,7 @@ Catalog with_clearing() {
 TEST(Clearing, TheStatusLineClearsTheAxisThatItNames) {
   ConsoleStage s;
   Example& a = s.add(with_clearing());
-  a.tab->unset_read = true;
+  a.tab->view.unset_read = true;
   s.run(0.2);
   EXPECT_FALSE(s.stage.find("status/clear")) << "there is nothing to clear";
   a.now.axes[1].activity = Activity::error;
@@ -53,7 +53,7 @@ TEST(Clearing, TheStatusLineClearsTheAxisThatItNames) {
 TEST(Clearing, TheMenuOfAnAxisInErrorHasIt) {
   ConsoleStage s;
   Example& a = s.add(with_clearing());
-  a.tab->unset_read = true;
+  a.tab->view.unset_read = true;
   a.now.axes[0].activity = Activity::error;
   s.run(0.2);
   ASSERT_TRUE(s.hand.click("dro/1/position").has_value());
@@ -67,7 +67,7 @@ TEST(Clearing, TheMenuOfAnAxisInErrorHasIt) {
 TEST(Clearing, AControllerWithoutACommandForItIsStopped) {
   ConsoleStage s;
   Example& a = s.add();
-  a.tab->unset_read = true;
+  a.tab->view.unset_read = true;
   for (int i = 0; i < 2; ++i) a.now.axes[i].activity = Activity::error;
   s.run(0.2);
   const gui::Widget* button = s.stage.find("status/clear");
@@ -105,7 +105,7 @@ TEST(Clearing, ACommandThatClearsTheFlagsOfAllAxesReportsIt) {
   c.axis_tables = {{"Slip", "", {flag}}};
   ConsoleStage s;
   Example& a = s.add(c);
-  a.tab->unset_read = true;
+  a.tab->view.unset_read = true;
   a.now.axes[1].slipped = true;
   s.run(0.2);
   const gui::Widget* button = s.stage.find("status/clear");

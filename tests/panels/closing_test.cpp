@@ -62,9 +62,9 @@ struct Closing : testing::Test {
 
 TEST_F(Closing, WhatWasTypedJustBeforeIsKept) {
   Example& e = s.add();
-  ASSERT_TRUE(e.tab->desk().keep_texts(autosave, "stage"));
+  ASSERT_TRUE(e.tab->desk().kept.begin(autosave, "stage"));
   s.run(0.1);
-  e.tab->desk().texts.set_text(0, "I1M400");
+  e.tab->desk().programs.texts.set_text(0, "I1M400");
   s.run(0.1);
   EXPECT_EQ(kept("stage"), "") << "it is too new";
   s.console.close(*e.tab);
@@ -73,11 +73,11 @@ TEST_F(Closing, WhatWasTypedJustBeforeIsKept) {
 
 TEST_F(Closing, WhatWasEmptiedJustBeforeDoesNotComeBack) {
   Example& e = s.add();
-  ASSERT_TRUE(e.tab->desk().keep_texts(autosave, "stage"));
-  e.tab->desk().texts.set_text(0, "I1M400");
+  ASSERT_TRUE(e.tab->desk().kept.begin(autosave, "stage"));
+  e.tab->desk().programs.texts.set_text(0, "I1M400");
   s.run(1.5);
   ASSERT_EQ(kept("stage"), "I1M400");
-  e.tab->desk().texts.set_text(0, "");
+  e.tab->desk().programs.texts.set_text(0, "");
   s.console.close(*e.tab);
   EXPECT_EQ(kept("stage"), "");
 }
@@ -140,7 +140,7 @@ struct ClosingWhatMoves : Closing {
   Example& resting = s.add();
 
   ClosingWhatMoves() {
-    moving.tab->default_name = "Stage", resting.tab->default_name = "Table";
+    moving.tab->settings.default_name = "Stage", resting.tab->settings.default_name = "Table";
     moving.now.axes[0].activity = Activity::moving;
     s.console.activate(*moving.tab);
     s.run(0.1);
@@ -162,7 +162,8 @@ TEST_F(ClosingWhatMoves, TheWindowNamesEachThatMovesOrRuns) {
   s.run(0.1);
   EXPECT_FALSE(window_may_close());
   EXPECT_EQ(s.value("close/why"),
-            "Stage: axis 1 is moving. Table: Program 2 is running. Nobody would watch them.");
+            "Stage: axis 1 is moving. Table: Program 2 is running. After closing, this console no longer "
+            "watches them.");
   click("close/stop");
   EXPECT_TRUE(s.console.ended());
   EXPECT_EQ(moving.count<intent::Stop>(), 1);
@@ -210,7 +211,7 @@ TEST_F(ClosingWhatMoves, WhatComesToRestMeanwhileMovesNoButton) {
   const auto before = s.stage.find("close/stop")->rect;
   moving.now.axes[0].activity = resting.now.axes[0].activity = Activity::idle;
   s.run(0.1);
-  EXPECT_EQ(s.value("close/why"), "Nothing moves any more.");
+  EXPECT_EQ(s.value("close/why"), "Nothing is moving now.");
   const auto after = s.stage.find("close/stop")->rect;
   EXPECT_EQ(before.min.x, after.min.x);
   EXPECT_EQ(before.min.y, after.min.y);
@@ -220,7 +221,7 @@ TEST_F(ClosingWhatMoves, WhatWouldBeLostIsReportedInTheSameQuestion) {
   with_a_list();
   EXPECT_FALSE(window_may_close());
   EXPECT_THAT(s.value("close/why"), HasSubstr("Stage: axis 1 is moving."));
-  EXPECT_THAT(s.value("close/why"), HasSubstr("That is lost."));
+  EXPECT_THAT(s.value("close/why"), HasSubstr("Closing loses it."));
 }
 
 // ---- what moved or ran when the link was lost
@@ -238,8 +239,8 @@ TEST_F(ClosingWhatMoves, OfWhatWasLostTheTabIsAskedAboutToo) {
   EXPECT_EQ(s.console.tabs().size(), 1u);
   EXPECT_EQ(moving.count<intent::Stop>(), 0);
   EXPECT_EQ(shown_at_next_start(),
-            "the session was ended (Stage was closed). Stage: axis 1 was moving; no stop could be "
-            "sent, for there was no link. It may still be moving: look at it first.");
+            "the session was ended (Stage was closed). Stage: axis 1 was moving; no stop could be sent, "
+            "because there was no link. It may still be moving: check it first.");
 }
 
 TEST_F(ClosingWhatMoves, OfWhatWasLostTheWindowAsksToo) {
@@ -247,10 +248,9 @@ TEST_F(ClosingWhatMoves, OfWhatWasLostTheWindowAsksToo) {
   resting.now.program.slot = 2;
   lose(resting);
   EXPECT_FALSE(window_may_close());
-  EXPECT_EQ(
-      s.value("close/why"),
-      "Stage: axis 1 is moving. Table: Program 2 was running when the link was lost. Nobody would watch "
-      "it. A stop cannot reach Table now: use its power switch.");
+  EXPECT_EQ(s.value("close/why"),
+            "Stage: axis 1 is moving. Table: Program 2 was running when the link was lost. After closing, "
+            "this console no longer watches it. A stop cannot reach Table now: use its power switch.");
   EXPECT_TRUE(window_may_close()) << "asked again, it stops what it can and closes";
   EXPECT_EQ(moving.count<intent::Stop>(), 1);
   EXPECT_THAT(shown_at_next_start(), testing::StartsWith("the session was ended (the window was closed). "
@@ -283,10 +283,10 @@ TEST_F(ClosingWhatMoves, WhatStoodWhenItsLinkWasLostIsNotAskedAbout) {
 
 TEST_F(ClosingWhatMoves, WhatASignalLostIsReportedAtTheNextStart) {
   lose(moving);
-  s.console.depart("SIGTERM");
+  s.console.shut_down("SIGTERM");
   EXPECT_EQ(shown_at_next_start(),
-            "the session was ended (SIGTERM). Stage: axis 1 was moving; no stop could be sent, for there "
-            "was no link. It may still be moving: look at it first.");
+            "the session was ended (SIGTERM). Stage: axis 1 was moving; no stop could be sent, because there "
+            "was no link. It may still be moving: check it first.");
 }
 
 TEST_F(Closing, OfABusItIsReportedWhichMembersWereLost) {
@@ -298,10 +298,11 @@ TEST_F(Closing, OfABusItIsReportedWhichMembersWereLost) {
   s.console.join({s.examples[0].tab, s.examples[1].tab}, "Line");
   lose(s.examples[1]);
   close_controller();
-  EXPECT_EQ(s.value("close/why"),
-            std::string(s.examples[0].tab->id()) + " moves. " + std::string(s.examples[1].tab->id()) +
-                " was under way when the link was lost. Nobody would watch it. A stop cannot reach " +
-                std::string(s.examples[1].tab->id()) + " now: use its power switch.");
+  EXPECT_EQ(s.value("close/why"), std::string(s.examples[0].tab->id()) + " moves. " +
+                                      std::string(s.examples[1].tab->id()) +
+                                      " was under way when the link was lost. After closing, this console no "
+                                      "longer watches it. A stop cannot reach " +
+                                      std::string(s.examples[1].tab->id()) + " now: use its power switch.");
 }
 
 // ---- a session that ends by itself
@@ -317,7 +318,7 @@ TEST(Departing, WhatWasDoneIsReportedOnceAtTheNextStart) {
   moving.now.axes[0].activity = Activity::moving;
   s.run(0.1);
   gui::Console& console = s.console;
-  console.depart("SIGTERM");
+  console.shut_down("SIGTERM");
   EXPECT_EQ(moving.count<intent::Stop>(), 1);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "state" / "last-end.json"))
       << "headless keeps nothing";
@@ -340,7 +341,7 @@ TEST(Departing, WhatWasDoneIsReportedOnceAtTheNextStart) {
 
 TEST_F(Closing, AFileDroppedOntoAQuestionIsNotOpened) {
   Example& e = s.add();
-  e.tab->desk().texts.set_text(0, "I1M400");
+  e.tab->desk().programs.texts.set_text(0, "I1M400");
   s.run(0.1);
   const std::vector<std::string> files = {folder.put("a.txt", "I1M5\n").string()};
   click("menu");
@@ -349,13 +350,13 @@ TEST_F(Closing, AFileDroppedOntoAQuestionIsNotOpened) {
   s.run(0.1);
   EXPECT_TRUE(s.stage.find("names/cancel")) << "and the question stays";
   click("names/cancel");
-  EXPECT_EQ(e.tab->desk().texts.text(0), "I1M400");
+  EXPECT_EQ(e.tab->desk().programs.texts.text(0), "I1M400");
   ASSERT_FALSE(s.console.toasts().list().empty());
   EXPECT_THAT(s.console.toasts().list().back().text, HasSubstr("Nothing was opened"));
-  e.tab->desk().texts.set_text(0, "");
+  e.tab->desk().programs.texts.set_text(0, "");
   s.console.drop(files);
   s.run(0.1);
-  EXPECT_EQ(e.tab->desk().texts.text(0), "I1M5\n");
+  EXPECT_EQ(e.tab->desk().programs.texts.text(0), "I1M5\n");
 }
 
 }  // namespace

@@ -50,10 +50,11 @@ FoundPort silent_after_test() {
   check(Is::good, "Port opens", "no other program uses it");
   check(Is::good, "Bytes leave", "3 speeds");
   check(Is::bad, "Bytes return", "none came back");
-  check(Is::not_reached, "Reply makes sense", "not reached");
-  p.advice = {"Supply. Is the controller's green lamp lit?",
-              "Cable. It must be straight through; try it with RX and TX swapped (a null-modem adapter).",
-              "The port. Is the cable in this one? Pull it and watch which port leaves this list."};
+  check(Is::not_reached, "Reply understood", "not reached");
+  p.advice = {
+      "The supply. Is the controller's green lamp lit?",
+      "The cable. It must be straight through; try it with RX and TX swapped (a null-modem adapter).",
+      "The port. Is the cable plugged into this port? Unplug it and watch which port leaves this list."};
   return p;
 }
 
@@ -105,8 +106,8 @@ struct Page {
 TEST(ConnectPage, EachPortHasItsWayOn) {
   Page p;
   EXPECT_EQ(p.label("connect/port/0"), "Connect");
-  EXPECT_EQ(p.label("connect/port/2"), "Ask again");
-  EXPECT_EQ(p.label("connect/port/3"), "Ask again");
+  EXPECT_EQ(p.label("connect/port/2"), "Identify");
+  EXPECT_EQ(p.label("connect/port/3"), "Identify");
   const Widget* asking = p.stage.find("connect/port/1");
   ASSERT_TRUE(asking);
   EXPECT_FALSE(asking->enabled);
@@ -162,7 +163,7 @@ TEST(ConnectPage, ASearchGoesOverEveryPortAndReportsWhatItFinds) {
   EXPECT_EQ(value("connect/search/found/1/text"), "/dev/ttyUSB2, minicom holds it.")
       << "a port that could not be asked is told";
   EXPECT_FALSE(p.stage.find("connect/search/found/1"));
-  EXPECT_EQ(value("connect/search/progress"), "Done after 1500 of 1500 questions, 1 found.");
+  EXPECT_EQ(value("connect/search/progress"), "Done after 1500 of 1500 queries, 1 found.");
 }
 
 TEST(ConnectPage, LooksAgainOnce) {

@@ -89,20 +89,21 @@ TEST_F(ContourTest, AStaircaseHasToGoOneWay) {
   s.type("stairs/2/until", "1500");
   EXPECT_THAT(s.value("contour/problem"), HasSubstr("Stair 2: 1500 does not lie on the way from 2000"));
   s.type("stairs/2/until", "20000");
-  EXPECT_THAT(s.value("contour/problem"), HasSubstr("It has passed 10000"));
+  EXPECT_THAT(s.value("contour/problem"),
+              HasSubstr("The last stair ends at 20000, past the stop position 10000"));
 }
 
 TEST_F(ContourTest, ItGoesIntoTheEditorAndAsksBeforeItReplaces) {
   line(1, "1000", "0");
   s.click("contour/to_program");
-  EXPECT_EQ(s.tab.desk().texts.text(0), "contour X Y at 1000\nline 1000 0\n");
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), "contour X Y at 1000\nline 1000 0\n");
   s.type("contour/1/x", "2000");
   s.click("contour/to_program");
   s.click("contour/replace/no");
-  EXPECT_EQ(s.tab.desk().texts.text(0), "contour X Y at 1000\nline 1000 0\n");
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), "contour X Y at 1000\nline 1000 0\n");
   s.click("contour/to_program");
   s.click("contour/replace/yes");
-  EXPECT_EQ(s.tab.desk().texts.text(0), "contour X Y at 1000\nline 2000 0\n");
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), "contour X Y at 1000\nline 2000 0\n");
 }
 
 Catalog window_in_mm() {
@@ -118,10 +119,10 @@ struct ContourUnitsTest : ::testing::Test {
     show("screw", "screw");
   }
   void show(const char* x, const char* others) {
-    s.tab.profile.unit = "real";
-    for (AxisProfile& axis : s.tab.profile.axes) axis.unit_choice = others;
-    s.tab.profile.axes[0].unit_choice = x;
-    s.tab.profile_edited();
+    s.tab.settings.profile.unit = "real";
+    for (AxisProfile& axis : s.tab.settings.profile.axes) axis.unit_choice = others;
+    s.tab.settings.profile.axes[0].unit_choice = x;
+    s.tab.settings.edited();
     s.stage.frames(4);
   }
   void open(const std::filesystem::path& path) {
@@ -142,8 +143,8 @@ TEST_F(ContourUnitsTest, WhatIsTypedInTheUnitOfTheAxesIsWrittenInTheirSteps) {
   s.type("contour/1/x", "2.5");
   EXPECT_EQ(s.value("contour/text"), "contour X Y at 2000\nline 1000 0\n");
   EXPECT_EQ(s.value("contour/view"), "2.5000 mm long, 0.5 s at this speed");
-  s.tab.profile.unit.clear();
-  s.tab.profile_edited();
+  s.tab.settings.profile.unit.clear();
+  s.tab.settings.edited();
   s.stage.frames(4);
   EXPECT_EQ(s.value("contour/1/x"), "1000");
   EXPECT_EQ(s.value("contour/text"), "contour X Y at 2000\nline 1000 0\n");
@@ -251,8 +252,8 @@ TEST_F(ContourUnitsTest, TheShiftIsOfferedInTheUnitInWhichTheListIsTyped) {
 }
 
 TEST_F(ContourUnitsTest, AFileOfAxesThatCountAgainstTheirStepsComesBackToo) {
-  for (AxisProfile& axis : s.tab.profile.axes) axis.reversed = true;
-  s.tab.profile_edited();
+  for (AxisProfile& axis : s.tab.settings.profile.axes) axis.reversed = true;
+  s.tab.settings.edited();
   s.stage.frames(2);
   s.click("contour/add/line");
   s.type("contour/1/x", "2.5");

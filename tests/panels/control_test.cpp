@@ -215,10 +215,10 @@ struct ControlUnitsTest : ::testing::Test {
   ControlUnitsTest() {
     s.now.axis_count = 4;
     for (AxisState& a : s.now.axes) a.activity = Activity::moving;
-    s.tab.profile.unit = "real";
-    for (AxisProfile& axis : s.tab.profile.axes) axis.unit_choice = "screw";
-    s.tab.profile.axes[3].unit_choice = "table";
-    s.tab.profile_edited();
+    s.tab.settings.profile.unit = "real";
+    for (AxisProfile& axis : s.tab.settings.profile.axes) axis.unit_choice = "screw";
+    s.tab.settings.profile.axes[3].unit_choice = "table";
+    s.tab.settings.edited();
     s.stage.frames(60);
   }
   void set_readout(const char* id, std::int64_t value) {
@@ -250,8 +250,8 @@ TEST_F(ControlUnitsTest, ARangeIsReportedInTheSameUnit) {
 
 TEST_F(ControlUnitsTest, ANumberStaysWhatItIsWhenAnotherUnitIsChosen) {
   s.type("action/change_speed/X/speed", "2.5");
-  s.tab.profile.unit.clear();
-  s.tab.profile_edited();
+  s.tab.settings.profile.unit.clear();
+  s.tab.settings.edited();
   s.stage.frames(4);
   EXPECT_EQ(s.value("action/change_speed/X/speed"), "1000");
 }

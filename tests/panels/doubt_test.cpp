@@ -25,7 +25,7 @@ class DoubtTest : public testing::Test {
   }
   void SetUp() override {
     s.run(0.1);
-    a.tab->unset_read = true;
+    a.tab->view.unset_read = true;
   }
   void doubt(int axis) { a.now.axes[axis].trust.doubt(Doubt::power_cut, s.scheduler.now()); }
   /// As the pump does it.
@@ -48,9 +48,9 @@ class DoubtTest : public testing::Test {
 };
 
 TEST_F(DoubtTest, TheRefusalSpeaksTheConsolesUnitsAndClock) {
-  a.tab->profile.unit = "mm";
-  a.tab->profile.axes[0].unit_choice = "screw of 1 mm";
-  a.tab->profile_edited();
+  a.tab->settings.profile.unit = "mm";
+  a.tab->settings.profile.axes[0].unit_choice = "screw of 1 mm";
+  a.tab->settings.edited();
   doubt(0);
   s.run(0.1);
   MUST(s.hand.type("goto/1", "240\n"));
@@ -101,7 +101,7 @@ TEST_F(DoubtTest, ItStandsWhereItCountsOrWhereTheUserSetsIt) {
   EXPECT_FALSE(s.hand.exists("goto/1/refused")) << "whoever has said it";
 }
 
-TEST_F(DoubtTest, TheCountThatIsShownGoesWithTheAxisUntilSomebodyTypes) {
+TEST_F(DoubtTest, TheShownCountFollowsTheAxisUntilTheUserTypes) {
   go_and_be_refused();
   a.now.axes[0].position = Steps(77);
   s.run(0.1);

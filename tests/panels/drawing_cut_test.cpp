@@ -62,7 +62,7 @@ TEST_F(DrawingTabTest, RoutinesOfOnesOwnLowerAndLiftTheTool) {
   s.stage.frames(6);
   EXPECT_FALSE(s.stage.find("drawing/routine/wrong"));
   s.click("drawing/to_program");
-  const std::string text = s.tab.desk().texts.text(0);
+  const std::string text = s.tab.desk().programs.texts.text(0);
   std::size_t at = 0;
   for (const char* part : {"SUB 1", "DO2=0", "Z150", "WAITZ", "DO3=0", "SUB 2", "DO3=1", "Z-200", "WAITZ",
                            "DELAY=40", "DO2=1"}) {
@@ -129,7 +129,8 @@ TEST_F(SlaveDrawingTabTest, MotorsOfMasterAndSlaveDrawOneAfterTheOtherAndThatIsR
   s.stage.frames(6);
   EXPECT_FALSE(s.stage.find("drawing/remarks")) << "both on the Slave";
   s.click("drawing/to_program");
-  EXPECT_THAT(s.tab.desk().texts.text(0), testing::AllOf(HasSubstr("IA3M300"), HasSubstr("IA4M100")));
+  EXPECT_THAT(s.tab.desk().programs.texts.text(0),
+              testing::AllOf(HasSubstr("IA3M300"), HasSubstr("IA4M100")));
 }
 
 TEST_F(DrawingTabTest, TheFrameGoesOnceAroundWithTheToolOff) {
@@ -139,7 +140,7 @@ TEST_F(DrawingTabTest, TheFrameGoesOnceAroundWithTheToolOff) {
   s.click("drawing/tool/DO2");
   s.click("drawing/origin/Corner");
   s.stage.frames(6);
-  const std::string before = s.tab.desk().texts.text(0);
+  const std::string before = s.tab.desk().programs.texts.text(0);
   s.sent.clear();
   s.click("drawing/frame");
   s.stage.frames(4);
@@ -147,7 +148,7 @@ TEST_F(DrawingTabTest, TheFrameGoesOnceAroundWithTheToolOff) {
   EXPECT_THAT(s.value("drawing/ask_cut/says"), HasSubstr("once around the drawing with the tool off"));
   s.click("drawing/ask_cut/yes");
   ASSERT_EQ(s.sent.size(), 1u);
-  EXPECT_EQ(s.tab.desk().texts.text(0), before) << "the user's text stays";
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), before) << "the user's text stays";
   const auto* asked = std::get_if<intent::RunInPieces>(&s.sent.front());
   ASSERT_TRUE(asked);
   ASSERT_EQ(asked->pieces->all.size(), 1u);

@@ -45,7 +45,7 @@ TEST_F(DrawingTabTest, WithoutAnyLayerNothingIsDrawn) {
   s.click("drawing/layer/cut");
   s.click("drawing/layer/holes");
   s.stage.frames(6);
-  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("Choose a layer with something on it"));
+  EXPECT_THAT(s.reason("drawing/cut"), HasSubstr("Choose a layer with lines on it"));
   s.click("drawing/layer/holes");
   s.stage.frames(6);
   EXPECT_EQ(s.value("drawing/drawn"), "12.6 mm");
@@ -88,7 +88,7 @@ TEST_F(DrawingTabTest, RampsAreChosenLikeSpeeds) {
   s.type("drawing/ramp", "150\n");
   s.stage.frames(6);
   s.click("drawing/to_program");
-  const std::string& text = s.tab.desk().texts.text(0);
+  const std::string& text = s.tab.desk().programs.texts.text(0);
   for (const char* part : {"HSPD=2000", "LSPD=400", "ACC=150"}) EXPECT_THAT(text, HasSubstr(part));
 }
 
@@ -180,11 +180,11 @@ struct KeptOptionsTest : testing::Test {
     Catalog catalog = *pmx.make_catalog({});
     catalog.units = {{"screw", "mm", 0.0025, 4}};
     gui::Tab& tab = *s->add(std::move(catalog), &pmx.language()).tab;
-    tab.profile_key = "pmx@usb";
+    tab.settings.key = "pmx@usb";
     if (millimetres) {
-      tab.profile.unit = "real";
-      tab.profile.axes[2].unit_choice = "screw";
-      tab.profile_edited();
+      tab.settings.profile.unit = "real";
+      tab.settings.profile.axes[2].unit_choice = "screw";
+      tab.settings.edited();
     }
     s->run(0.1);
     EXPECT_TRUE(s->hand.click("tab/drawing").has_value());
@@ -215,8 +215,8 @@ TEST_F(DrawingTabTest, TheScaleIsTypedInTheFormThatTheMakerGives) {
 
 TEST_F(DrawingTabTest, AUnitThatIsChosenAtTheNumbersLaterGivesTheScale) {
   drop();
-  s.tab.profile.axes[0].unit_choice = own_unit_choice;
-  s.tab.profile.axes[0].own_unit = {"in", 0.0001};  // shown in steps now
+  s.tab.settings.profile.axes[0].unit_choice = own_unit_choice;
+  s.tab.settings.profile.axes[0].own_unit = {"in", 0.0001};  // shown in steps now
   s.stage.frames(6);
   EXPECT_EQ(s.value("drawing/per_unit/X"), "393.701");
 }
@@ -232,15 +232,15 @@ struct ToolAxisTest : DrawingTabTest {
     s.stage.frames(6);
   }
   void count_z_in_mm(bool reversed) {
-    s.tab.profile.axes[2].unit_choice = own_unit_choice;
-    s.tab.profile.axes[2].own_unit = {"mm", 0.0025};  // shown in steps now
-    s.tab.profile.axes[2].reversed = reversed;
+    s.tab.settings.profile.axes[2].unit_choice = own_unit_choice;
+    s.tab.settings.profile.axes[2].own_unit = {"mm", 0.0025};  // shown in steps now
+    s.tab.settings.profile.axes[2].reversed = reversed;
     s.stage.frames(6);
   }
   std::string program() {
     s.click("drawing/to_program");
     if (s.stage.find("drawing/replace_text/yes")) s.click("drawing/replace_text/yes");
-    return s.tab.desk().texts.text(0);
+    return s.tab.desk().programs.texts.text(0);
   }
 };
 
@@ -274,11 +274,11 @@ TEST_F(ToolAxisTest, ThatCountsOppositeToItsPulsesGoesTheWayOfItsNumbers) {
 
 TEST_F(DrawingTabTest, ADrawingAxisThatCountsOppositeIsWarnedOfInStepsToo) {
   drop();
-  s.tab.profile.axes[0].unit_choice = own_unit_choice;
-  s.tab.profile.axes[0].own_unit = {"mm", 0.01};
+  s.tab.settings.profile.axes[0].unit_choice = own_unit_choice;
+  s.tab.settings.profile.axes[0].own_unit = {"mm", 0.01};
   s.stage.frames(6);
   EXPECT_FALSE(s.stage.find("drawing/mirrored/X"));
-  s.tab.profile.axes[0].reversed = true;
+  s.tab.settings.profile.axes[0].reversed = true;
   s.stage.frames(6);
   EXPECT_TRUE(s.stage.find("drawing/mirrored/X"));
 }

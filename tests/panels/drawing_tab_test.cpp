@@ -32,7 +32,7 @@ TEST_F(DrawingTabTest, LayersScaleAndToolChangeTheProgram) {
   s.click("drawing/origin/Corner");
   s.stage.frames(6);
   s.click("drawing/to_program");
-  const std::string& text = s.tab.desk().texts.text(0);
+  const std::string& text = s.tab.desk().programs.texts.text(0);
   EXPECT_THAT(text, HasSubstr("DO2=1"));
   EXPECT_THAT(text, HasSubstr("X4000Y0")) << "20 mm of 200 pulses, from the corner";
   EXPECT_THAT(text, HasSubstr("X4000Y2000"));
@@ -50,7 +50,7 @@ TEST_F(DrawingTabTest, AClickThatEndsAFieldWaitsForWhatItChanges) {
   in_the_field("drawing/per_unit/X", "100");
   s.click_at(s.stage.find("drawing/to_program")->rect.centre());
   s.stage.frames(6);
-  EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("X3000Y2000")) << "30 mm of 100 pulses";
+  EXPECT_THAT(s.tab.desk().programs.texts.text(0), HasSubstr("X3000Y2000")) << "30 mm of 100 pulses";
   in_the_field("drawing/per_unit/X", "50");
   s.click_at(s.stage.find("drawing/cut")->rect.centre());
   s.stage.frames(6);
@@ -71,7 +71,7 @@ TEST_F(DrawingTabTest, AnAxisLowersTheToolAndAnOutputSwitchesItThen) {
   s.click("drawing/tool/DO2");
   s.stage.frames(6);
   s.click("drawing/to_program");
-  const std::string text = s.tab.desk().texts.text(0);
+  const std::string text = s.tab.desk().programs.texts.text(0);
   std::size_t at = 0;
   for (const char* part :
        {"SUB 1", "DO2=0", "Z350", "WAITZ", "SUB 2", "Z-200", "WAITZ", "DO2=1", "DELAY=250"}) {
@@ -143,7 +143,7 @@ TEST_F(DrawingTabTest, WhatIsNoNumberIsNoScale) {
   s.type("drawing/per_unit/X", "200\n");
   s.stage.frames(6);
   s.click("drawing/to_program");
-  EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("X4000Y0"));
+  EXPECT_THAT(s.tab.desk().programs.texts.text(0), HasSubstr("X4000Y0"));
 }
 
 TEST_F(DrawingTabTest, ItBecomesBlocks) {
@@ -170,7 +170,7 @@ TEST_F(DrawingTabTest, AnyTwoAxesDraw) {
   s.click("drawing/origin/Corner");
   s.stage.frames(6);
   s.click("drawing/to_program");
-  EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("Y4000Z2000"));
+  EXPECT_THAT(s.tab.desk().programs.texts.text(0), HasSubstr("Y4000Z2000"));
 }
 
 TEST_F(DrawingTabTest, AClickSetsTheOrigin) {
@@ -187,7 +187,7 @@ TEST_F(DrawingTabTest, AClickSetsTheOrigin) {
   s.click_at(at);
   s.stage.frames(8);
   s.click("drawing/to_program");
-  const std::string& text = s.tab.desk().texts.text(0);
+  const std::string& text = s.tab.desk().programs.texts.text(0);
   EXPECT_THAT(text, HasSubstr("X0Y0\n"));
   EXPECT_THAT(text, HasSubstr("X-4000Y0\n")) << "the beginning of the first line, 20 mm to the left";
   EXPECT_THAT(text, HasSubstr("X0Y2000\n"));
@@ -309,7 +309,7 @@ TEST_F(DrawingTabTest, WithoutTheSpeedWithTheToolOffTheSavingIsMarkedSo) {
   EXPECT_FALSE(s.stage.find("drawing/saved/untimed")) << "nothing is saved";
 }
 
-TEST_F(DrawingTabTest, WhereNobodyKnowsWhereAnAxisStandsNothingIsCut) {
+TEST_F(DrawingTabTest, AnUnknownPositionKeepsTheDrawingFromBeingCut) {
   drop();
   two_hundred_pulses_in_a_mm();
   s.stage.frames(6);

@@ -24,7 +24,7 @@ struct Threads : testing::Test {
     return c;
   }
   void load(PanelStage& s) {
-    auto& texts = s.tab.desk().texts;
+    auto& texts = s.tab.desk().programs.texts;
     texts.set_text(0, "; remark\nI1\nL9,I2\n");
     texts.loaded(0, texts.text(0), Instant());
     for (int n = 0; n < 2; ++n) s.now.threads[static_cast<std::size_t>(n)].known = true;
@@ -75,7 +75,7 @@ TEST_F(Threads, WhatIsNotWhatWasSentIsRunOnAWordOnly) {
 TEST_F(Threads, AChangedTextIsNotTakenForTheOneThatRuns) {
   PanelStage s(panel, 864, 700, 1, Tier::wide, true, catalog());
   load(s);
-  s.tab.desk().texts.set_text(0, "I7\n");
+  s.tab.desk().programs.texts.set_text(0, "I7\n");
   s.stage.frames(3);
   EXPECT_EQ(s.stage.find("thread/0/source"), nullptr);
 }

@@ -46,7 +46,7 @@ TEST(TimeLeft, OfAStepIsCountedFromWhereItWasReportedFirst) {
   pieces.step = 3;
   const auto at = [&](double s) {
     clock.follow(pieces, Instant(from_seconds(s)));
-    return clock.at_it_s();
+    return clock.time_at_step_s();
   };
   EXPECT_DOUBLE_EQ(at(10), 0);
   EXPECT_DOUBLE_EQ(at(12), 2);
@@ -65,7 +65,7 @@ TEST(TimeLeft, IsNotCountedFromBeforeItWasSeenNorWhileItIsOnlySent) {
   pieces.running = true;  // at no step yet, as when nothing runs
   const auto at = [&](double s, bool at_work) {
     clock.follow(pieces, Instant(from_seconds(s)), at_work);
-    return clock.at_it_s();
+    return clock.time_at_step_s();
   };
   EXPECT_DOUBLE_EQ(at(100, false), 0);
   EXPECT_DOUBLE_EQ(at(130, false), 0) << "it is being sent";

@@ -179,7 +179,7 @@ TEST_F(DrawnBusTest, ProgramsThatAreSimulatedComeInItsPlace) {
   run(0.3);
   ASSERT_TRUE(stage.find("path/drawn"));
   for (gui::Tab* member : members)
-    member->desk().texts.set_text(0, "HSPD=5000\nLSPD=100\nACC=100\nINC\nX400\nWAITX\nEND\n");
+    member->desk().programs.texts.set_text(0, "HSPD=5000\nLSPD=100\nACC=100\nINC\nX400\nWAITX\nEND\n");
   run(0.1);
   EXPECT_TRUE(stage.find("path/drawn")) << "as long as nobody asks for them";
   MUST(stage.hand.click("path/simulate"));

@@ -69,7 +69,7 @@ TEST_F(DroppedFiles, ADrawingAndAProgramAreBothOpened) {
   drop({folder.put("a.prg", "X1000\nEND\n"), drawing("a.dxf")});
   MUST(stage.hand.click("tab/program"));
   stage.frames(10);
-  EXPECT_EQ(tab.desk().texts.text(0), "X1000\nEND\n");
+  EXPECT_EQ(tab.desk().programs.texts.text(0), "X1000\nEND\n");
   MUST(stage.hand.click("tab/drawing"));
   stage.frames(10);
   EXPECT_EQ(stage.hand.value("drawing/size").value_or("(none)"), "20.000 x 10.000 mm");
@@ -82,7 +82,7 @@ TEST_F(DroppedFiles, ADrawingForASingleAxisIsNoProgram) {
   EXPECT_THAT(reported(),
               ElementsAre("a.dxf was not opened: it needs the tab Drawing, which this controller does "
                           "not have."));
-  EXPECT_EQ(tab.desk().texts.text(0), "");
+  EXPECT_EQ(tab.desk().programs.texts.text(0), "");
 }
 
 TEST_F(DroppedFiles, AFolderIsNamedAsOne) {

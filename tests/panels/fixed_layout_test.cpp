@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include "gui/model/jog_choice.h"
 #include "panels/widget_path.h"
 #include "tests/gui/model/toy_language.h"
 #include "tests/panels/console_stage.h"
@@ -102,7 +103,7 @@ class FixedStage {
     return first ? std::string(id.substr(0, id.rfind('/'))) + ", first" : std::string();
   }
   std::map<std::string, Rect> places_in(const std::string& panel) {
-    front().tab->centre_panel = panel;
+    front().tab->panels.in_front = panel;
     s.stage.frames(3);
     return places();
   }
@@ -112,8 +113,8 @@ class FixedStage {
       Example& e = s.examples[i];
       e.now = at_first[i];
       e.bench.present = true;
-      e.tab->profile = Profile();
-      e.tab->profile_edited();
+      e.tab->settings.profile = Profile();
+      e.tab->settings.edited();
       write(e, "");
     }
     s.stale = false;
@@ -121,19 +122,19 @@ class FixedStage {
   static void write(Example& e, const char* text) {
     Desk& desk = e.tab->desk();
     const auto send = [&e](IntentBody body) { return e.tab->send(std::move(body)); };
-    if (desk.job.stage() == ProgramJob::Stage::asking)
-      desk.job.answer(ProgramJob::Answer::leave, desk.texts, send);
-    desk.texts.set_text(desk.texts.chosen(), text);
+    if (desk.programs.job.stage() == ProgramJob::Stage::asking)
+      desk.programs.job.answer(ProgramJob::Answer::leave, desk.programs.texts, send);
+    desk.programs.texts.set_text(desk.programs.texts.chosen(), text);
   }
   /// Run, where the controller holds another program.
   static void ask_before_a_run(Example& e) {
     Desk& desk = e.tab->desk();
-    const int slot = desk.texts.chosen();
+    const int slot = desk.programs.texts.chosen();
     write(e, "I1M400");
     e.now.slot_bytes_used[static_cast<std::size_t>(slot)] = 12;
-    desk.job.begin(ProgramJob::Goal::run, slot, desk.texts, e.now, e.tab->catalog(),
-                   [&e](IntentBody body) { return e.tab->send(std::move(body)); });
-    desk.texts.listed(slot, "L9\n", e.tab->clock());
+    desk.programs.job.begin(ProgramJob::Goal::run, slot, desk.programs.texts, e.now, e.tab->catalog(),
+                            [&e](IntentBody body) { return e.tab->send(std::move(body)); });
+    desk.programs.texts.listed(slot, "L9\n", e.tab->clock());
     e.outcome(IntentState::done);
   }
   /// Into Go of the first axis, where that is on the screen.
@@ -160,10 +161,10 @@ void each_axis(FixedStage& f, const std::function<void(AxisState&)>& change) {
 }
 void in_unit(FixedStage& f, const char* choice, Steps position) {
   for (Example& e : f.s.examples) {
-    e.tab->profile.unit = "real";
+    e.tab->settings.profile.unit = "real";
     for (std::size_t i = 0; i < e.tab->catalog().axes.size(); ++i)
-      e.tab->profile.axes[i].unit_choice = choice;
-    e.tab->profile_edited();
+      e.tab->settings.profile.axes[i].unit_choice = choice;
+    e.tab->settings.edited();
   }
   each_axis(f, [&](AxisState& a) { a.position = a.encoder = position; });
 }
@@ -227,7 +228,7 @@ const std::vector<Change>& all_changes() {
        }},
       {"a long speed",
        [](FixedStage& f) {
-         f.front().tab->choose_jog(Steps(1), Pps(f.front().tab->catalog().jog_speed_max));
+         gui::choose_jog(*f.front().tab, Steps(1), Pps(f.front().tab->catalog().jog_speed_max));
        }},
       {"lost", [](FixedStage& f) { link_is(f, LinkState::lost, true); }},
       {"another lost", [](FixedStage& f) { link_is(f, LinkState::lost, false); }},
@@ -276,9 +277,10 @@ const std::vector<Change>& all_changes() {
       {"no emulator", [](FixedStage& f) { f.front().bench.present = false; }},
       {"a long name",
        [](FixedStage& f) {
-         for (auto& a : f.front().tab->profile.axes) a.name = "the long slide behind the second table";
-         f.front().tab->profile.name = "The stage beside the window";
-         f.front().tab->profile_edited();
+         for (auto& a : f.front().tab->settings.profile.axes)
+           a.name = "the long slide behind the second table";
+         f.front().tab->settings.profile.name = "The stage beside the window";
+         f.front().tab->settings.edited();
        }},
       {"a target out of range", [](FixedStage& f) { f.go_to("99999999999\n"); }, true},
       {"no number", [](FixedStage& f) { f.go_to("here\n"); }, true},

@@ -96,8 +96,8 @@ TEST(Follow, ARenamedDeviceIsOpenedAtItsNewAddressWithAllThatIsTheUsers) {
   Bench b("dmx-k-sa", {"01"});
   b.open("dmx-k-sa@serial:/dev/ttyS9,baud=9600,id=01");
   b.console.rename(b.tab(), "Slide");
-  b.tab().profile.axes[0].name = "across";
-  b.tab().profile_edited();
+  b.tab().settings.profile.axes[0].name = "across";
+  b.tab().settings.edited();
   b.do_all(intent::SetParam("DN", 7, true), 2);
   b.do_all(intent::Store(), 3);
   EXPECT_EQ(b.label("fault/follow"), "(absent)") << "it still answers where it was";
@@ -111,7 +111,7 @@ TEST(Follow, ARenamedDeviceIsOpenedAtItsNewAddressWithAllThatIsTheUsers) {
   EXPECT_EQ(b.tab().address().text(), "dmx-k-sa@serial:/dev/ttyS9,baud=9600,id=07");
   EXPECT_TRUE(b.tab().now().link.connected()) << b.tab().now().link.sentence.view();
   EXPECT_EQ(b.tab().name(), "Slide");
-  EXPECT_EQ(b.tab().profile.axes[0].name, "across");
+  EXPECT_EQ(b.tab().settings.profile.axes[0].name, "across");
   EXPECT_EQ(b.label("fault/follow"), "(absent)");
   EXPECT_EQ(b.console.recent().list().front().address, b.tab().address().text());
 }
@@ -139,7 +139,7 @@ TEST(Follow, WhatMayStillMoveIsNotLeftBehindWithItsStop) {
   b.run(10);
   ASSERT_TRUE(b.tab().now().link.connected()) << b.tab().now().link.sentence.view();
   EXPECT_FALSE(b.tab().now().any_axis_moving()) << "the stop has gone out";
-  EXPECT_FALSE(b.tab().stop_waits());
+  EXPECT_FALSE(b.tab().messages.followed.stop_waits());
   EXPECT_LT(b.tab().now().axes[0].position, Steps(100'000));
 }
 
@@ -204,7 +204,7 @@ TEST(Follow, OneThatChangesItsRateAtOnceIsFollowedOnTheWireAndThenByItsAddress) 
   b.do_all(intent::SetParam("M1M", 4, true), 2);
   b.do_all(intent::JogStart(AxisId{0}, Sign::plus), 1);
   b.do_all(intent::Stop(), 2);
-  ASSERT_TRUE(b.tab().unset_read) << "it has moved";
+  ASSERT_TRUE(b.tab().view.unset_read) << "it has moved";
   b.do_all(intent::SendText("setB38"), 2);
   EXPECT_TRUE(b.tab().now().link.connected()) << "typed, too, the wire goes with it";
   EXPECT_EQ(b.label("fault/follow"), "(absent)") << "it would be back with the next power-up";
@@ -217,7 +217,7 @@ TEST(Follow, OneThatChangesItsRateAtOnceIsFollowedOnTheWireAndThenByItsAddress) 
   EXPECT_EQ(b.label("fault/follow"), "(absent)");
 }
 
-TEST(Follow, WhoeverWantsTheOldAddressKeepsIt) {
+TEST(Follow, TheOldAddressCanBeKept) {
   Bench b("vxm", {});
   b.open("vxm@serial:/dev/ttyS9,baud=9600");
   b.do_all(intent::SetParam("B", 38, true), 2);

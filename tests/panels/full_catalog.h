@@ -70,7 +70,7 @@ inline void add_full_actions(Catalog& c) {
       full_action("clear", "Clear errors", "Motion", {full_axis_field(true)}),
       full_action("absolute", "Absolute mode", "Motion", {}),
       full_action("incremental", "Incremental mode", "Motion", {}),
-      full_action("change_speed", "Change speed now", "Change under way",
+      full_action("change_speed", "Change speed now", "Change during a move",
                   {full_axis_field(), full_field("speed", "New speed", 1, 6'000'000, 1000, "pulses/s"),
                    full_field("accel", "In", 0, 30'000, 0, "ms")},
                   true, true),

@@ -104,7 +104,7 @@ TEST_F(GamepadSwitch, LettingGoStopsAlsoWhereAnotherAxisHasBeenChosenSince) {
   hand.button(up, true);
   hand.run(0.5);
   ASSERT_EQ(a.count<intent::JogStart>(), 1);
-  a.tab->chosen_axis = AxisId{1};
+  a.tab->view.chosen_axis = AxisId{1};
   hand.button(up, false);
   hand.run(0.03);
   EXPECT_EQ(a.count<intent::JogStop>(), 1);
@@ -285,7 +285,7 @@ struct PadRig {
   Tab& tab() { return *console.tabs().front(); }
   /// What went out since the last call, without the questions of each round.
   std::string sent() {
-    const TrafficLog& log = tab().desk().traffic;
+    const TrafficLog& log = tab().desk().records.traffic;
     std::string all;
     for (; next < log.first_record() + log.records(); ++next) {
       const TrafficLog::Entry e = log.entry(next);

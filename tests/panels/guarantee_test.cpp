@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/device/registry.h"
+#include "gui/model/jog_choice.h"
 #include "tests/panels/console_stage.h"
 #include "tests/panels/must.h"
 
@@ -42,7 +43,7 @@ class GuaranteeTest : public testing::Test {
 TEST_F(GuaranteeTest, ShowsHowFarItGoesUntilTheWatchdogActs) {
   EXPECT_EQ(label(), "watchdog");
   EXPECT_EQ(s.value("jog/guarantee"), "stops it: 1300 steps");
-  a.tab->choose_jog(a.tab->jog_step(), Pps(200));
+  gui::choose_jog(*a.tab, a.tab->settings.profile.jog_step, Pps(200));
   s.run(0.1);
   EXPECT_EQ(s.value("jog/guarantee"), "stops it: 260 steps");
 }
@@ -55,10 +56,10 @@ TEST_F(GuaranteeTest, TheControllerDoesWhereEveryAxisHasItsLimits) {
   EXPECT_EQ(s.value("jog/guarantee"), "stops it: within 2000 steps");
 }
 
-TEST_F(GuaranteeTest, NobodyIsReportedAsSuch) {
+TEST_F(GuaranteeTest, AJogThatNothingEndsIsReported) {
   ends(JogEnds::never);
-  EXPECT_EQ(label(), "nobody");
-  EXPECT_EQ(s.value("jog/guarantee"), "1000 steps a second");
+  EXPECT_EQ(label(), "no guard");
+  EXPECT_EQ(s.value("jog/guarantee"), "1000 steps per second");
   ends(JogEnds::with_program);
   EXPECT_EQ(label(), "this program");
   a.now.link.state = LinkState::lost;
@@ -74,21 +75,21 @@ TEST_P(EveryBadge, ShowsWhoEndsItAndHowFarAtTheChosenSpeed) {
   Example& a = s.add(*GetParam()->make_catalog({}));
   a.now.link.jog_ends = JogEnds::by_watchdog;
   for (std::size_t i = 0; i < a.tab->catalog().axes.size(); ++i) {
-    AxisProfile& axis = a.tab->profile.axes[i];
+    AxisProfile& axis = a.tab->settings.profile.axes[i];
     axis.unit_choice = own_unit_choice;
     axis.own_unit.name = "mm";
     axis.own_unit.per_step = 0.01;
   }
-  a.tab->profile.unit = "mm";
-  a.tab->profile_edited();
-  a.tab->choose_jog(Steps(100), Pps(1000));
+  a.tab->settings.profile.unit = "mm";
+  a.tab->settings.edited();
+  gui::choose_jog(*a.tab, Steps(100), Pps(1000));
   s.run(0.2);
   const Widget* badge = s.stage.find("jog/guarantee");
   ASSERT_TRUE(badge);
   EXPECT_EQ(badge->label, "watchdog");
   EXPECT_THAT(std::string(badge->value), testing::StartsWith("stops it: 13.0"));
   EXPECT_THAT(std::string(badge->value), testing::HasSubstr(" mm"));
-  a.tab->choose_jog(Steps(100), Pps(500));
+  gui::choose_jog(*a.tab, Steps(100), Pps(500));
   s.run(0.2);
   EXPECT_THAT(s.value("jog/guarantee"), testing::StartsWith("stops it: 6.5"));
 }
@@ -129,7 +130,7 @@ class GuardOfferTest : public testing::Test {
 TEST_F(GuardOfferTest, IsInstalledOnlyWhenItsUserAgrees) {
   MUST(s.hand.click("jog/guarantee"));
   s.run(0.1);
-  EXPECT_EQ(s.value("jog/guard/state"), "It is not installed. The program memory is empty.");
+  EXPECT_EQ(s.value("jog/guard/state"), "The guard is not installed. The program memory is empty.");
   EXPECT_EQ(a.count<intent::GuardJogs>(), 0);
   MUST(s.hand.click("jog/guard/close"));
   s.run(0.1);
@@ -172,7 +173,7 @@ TEST_F(GuaranteeTest, BacklashIsTypedAtTheNumberAndKept) {
   EXPECT_EQ(a.last<intent::SetBacklash>()->backlash, (Backlash{Steps(60), Sign::plus}));
   MUST(s.hand.click("dro/1/backlash/way"));
   EXPECT_EQ(a.last<intent::SetBacklash>()->backlash, (Backlash{Steps(60), Sign::minus}));
-  EXPECT_EQ(a.tab->profile.axes[0].backlash, (Backlash{Steps(60), Sign::minus}));
+  EXPECT_EQ(a.tab->settings.profile.axes[0].backlash, (Backlash{Steps(60), Sign::minus}));
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST_F(HandsTest, ALimitDisablesItsDirectionOnly) {
   s.run(0.1);
   EXPECT_FALSE(s.stage.find("jog/1/+")->enabled);
   EXPECT_TRUE(s.stage.find("jog/1/-")->enabled);
-  EXPECT_EQ(s.stage.find("jog/1/+")->reason, "It stands on its + limit. It can only move −.");
+  EXPECT_EQ(s.stage.find("jog/1/+")->reason, "The axis is on its + limit. It can only move −.");
 }
 
 TEST_F(HandsTest, StopButtonOfThePadStopsThisController) {
@@ -152,12 +152,12 @@ TEST_F(HandsTest, TheShownSpeedIsTheControllersOwnUntilOneIsChosen) {
   a.now.axes[0].enabled = false;
   a.now.axes[1].own_speed = Pps(200000);
   EXPECT_EQ(shown(), "200000 steps/s");  // all of them off: what they will do
-  a.tab->profile.jog_speed = Pps(500);
+  a.tab->settings.profile.jog_speed = Pps(500);
   EXPECT_EQ(shown(), "500 steps/s");
 }
 
 TEST_F(HandsTest, TheChosenSpeedGoesWithTheJog) {
-  a.tab->profile.jog_speed = Pps(500);
+  a.tab->settings.profile.jog_speed = Pps(500);
   MUST(s.hand.press("jog/1/+"));
   s.run(0.4);
   EXPECT_EQ(a.last<intent::JogStart>()->speed, Pps(500));
@@ -224,9 +224,9 @@ TEST_F(HandsTest, GoToInSteps) {
 }
 
 TEST_F(HandsTest, GoToInRealUnitsReadsCommaAndPoint) {
-  a.tab->profile.unit = "real";
-  a.tab->profile.axes[0].unit_choice = "screw of 1 mm";
-  a.tab->profile_edited();
+  a.tab->settings.profile.unit = "real";
+  a.tab->settings.profile.axes[0].unit_choice = "screw of 1 mm";
+  a.tab->settings.edited();
   s.run(0.1);
   MUST(s.hand.type("goto/1", "12,5\n"));
   EXPECT_EQ(a.last<intent::MoveTo>()->targets[0].value, Steps(5000));

@@ -25,10 +25,10 @@ class JogUnitsTest : public testing::Test {
     return c;
   }
   void show_in(const char* first, const char* second) {
-    a.tab->profile.unit = "real";
-    a.tab->profile.axes[0].unit_choice = first;
-    a.tab->profile.axes[1].unit_choice = second;
-    a.tab->profile_edited();
+    a.tab->settings.profile.unit = "real";
+    a.tab->settings.profile.axes[0].unit_choice = first;
+    a.tab->settings.profile.axes[1].unit_choice = second;
+    a.tab->settings.edited();
     s.run(0.1);
   }
   Steps tap(const char* id) {
@@ -41,8 +41,8 @@ class JogUnitsTest : public testing::Test {
 
 TEST_F(JogUnitsTest, OneUnitOfAllAxesIsThatOfTheSteps) {
   show_in("screw of 1 mm", "screw of 1 mm");
-  a.tab->profile.axes[1].reversed = true;  // how long a step is stays the same
-  a.tab->profile_edited();
+  a.tab->settings.profile.axes[1].reversed = true;  // how long a step is stays the same
+  a.tab->settings.edited();
   s.run(0.1);
   MUST(s.hand.click("jog/step/1"));
   EXPECT_EQ(tap("jog/2/+"), Steps(400));
@@ -65,7 +65,7 @@ TEST_F(JogUnitsTest, AStepIsANumberInTheUnitOfEachAxis) {
     s.run(0.1);
     EXPECT_EQ(s.value("jog/step/1"), "on") << second;
     EXPECT_EQ(tap("jog/1/+"), Steps(400)) << second;
-    const double per_step = a.tab->unit(AxisId{1}).per_step;
+    const double per_step = a.tab->settings.unit(AxisId{1}).per_step;
     EXPECT_EQ(tap("jog/2/+"), Steps(std::llround(1 / per_step))) << second;
     MUST(s.hand.key("Up"));
     s.run(0.1);
@@ -93,9 +93,9 @@ TEST_F(JogUnitsTest, AnAxisWithoutAUnitCountsSteps) {
 
 TEST_F(JogUnitsTest, WhatMostAxesShareIsShownOnce) {
   Example& b = s.add(example_catalog(4));
-  b.tab->profile.unit = "real";
-  b.tab->profile.axes[0].unit_choice = "screw of 1 mm";
-  b.tab->profile_edited();
+  b.tab->settings.profile.unit = "real";
+  b.tab->settings.profile.axes[0].unit_choice = "screw of 1 mm";
+  b.tab->settings.edited();
   s.run(0.1);
   EXPECT_EQ(s.value("jog/own_units"),
             "A tap: 1 0.003 mm, others 1 step. Held: 1 5.000 mm/s, others 2000 steps/s.");
@@ -125,27 +125,27 @@ TEST_F(JogUnitsTest, TheSpeedOfEachAxisIsTypedInItsOwnUnit) {
   MUST(s.hand.click("jog/speed/number"));
   s.run(0.1);
   MUST(s.hand.click("jog/speed/2/reset"));
-  EXPECT_EQ(a.tab->jog_speed(AxisId{1}), Pps(0));
+  EXPECT_EQ(a.tab->settings.jog_speed(AxisId{1}), Pps(0));
 }
 
 TEST_F(JogUnitsTest, TheSliderChoosesForAllAxesAgain) {
-  a.tab->choose_jog_speed(AxisId{1}, Pps(800));
+  a.tab->settings.choose_jog_speed(AxisId{1}, Pps(800));
   s.run(0.1);
   EXPECT_EQ(s.value("jog/speed"), "each its own");
   MUST(s.hand.press("jog/speed"));
   MUST(s.hand.release("jog/speed"));
   s.run(0.1);
-  const Pps chosen = a.tab->jog_speed();
+  const Pps chosen = a.tab->settings.profile.jog_speed;
   EXPECT_GT(chosen.value, 0);
-  EXPECT_EQ(a.tab->jog_speed(AxisId{1}), chosen);
+  EXPECT_EQ(a.tab->settings.jog_speed(AxisId{1}), chosen);
   EXPECT_NE(s.value("jog/speed"), "each its own");
 }
 
 TEST_F(JogUnitsTest, EachButtonNamesItsStepInTheUnitOfItsAxis) {
   show_in("screw of 1 mm", "screw of 2 mm");
-  a.tab->profile.axes[1].reversed = true;
-  a.tab->profile.jog_speed = Pps(1000);
-  a.tab->profile_edited();
+  a.tab->settings.profile.axes[1].reversed = true;
+  a.tab->settings.profile.jog_speed = Pps(1000);
+  a.tab->settings.edited();
   s.run(0.1);
   MUST(s.hand.click("jog/step/1"));
   s.run(0.1);
@@ -154,7 +154,7 @@ TEST_F(JogUnitsTest, EachButtonNamesItsStepInTheUnitOfItsAxis) {
 }
 
 TEST_F(JogUnitsTest, ASpeedIsNotNegativeOnAReversedAxis) {
-  a.tab->profile.axes[0].reversed = a.tab->profile.axes[1].reversed = true;
+  a.tab->settings.profile.axes[0].reversed = a.tab->settings.profile.axes[1].reversed = true;
   show_in("screw of 1 mm", "screw of 1 mm");
   EXPECT_EQ(s.value("jog/speed"), "5.000 mm/s");
 }
@@ -183,23 +183,23 @@ TEST_F(JogUnitsTest, TheSpeedCanBeTypedInTheUnitThatIsShown) {
   s.run(0.1);
   MUST(s.hand.type("jog/speed/field", "1234\n"));
   s.run(0.1);
-  EXPECT_EQ(a.tab->jog_speed(), Pps(1234));
+  EXPECT_EQ(a.tab->settings.profile.jog_speed, Pps(1234));
   EXPECT_EQ(s.value("jog/speed/number"), "1234 steps/s") << "the field is gone again";
   show_in("screw of 1 mm", "screw of 1 mm");
   MUST(s.hand.click("jog/speed/number"));
   s.run(0.1);
   MUST(s.hand.type("jog/speed/field", "2.5\n"));
   s.run(0.1);
-  EXPECT_EQ(a.tab->jog_speed(), Pps(1000));
+  EXPECT_EQ(a.tab->settings.profile.jog_speed, Pps(1000));
 }
 
 TEST_F(JogUnitsTest, ASpeedThatDoesNotGoChangesNothing) {
-  a.tab->profile.jog_speed = Pps(500);
+  a.tab->settings.profile.jog_speed = Pps(500);
   MUST(s.hand.click("jog/speed/number"));
   s.run(0.1);
   MUST(s.hand.type("jog/speed/field", "0\n"));
   s.run(0.1);
-  EXPECT_EQ(a.tab->jog_speed(), Pps(500));
+  EXPECT_EQ(a.tab->settings.profile.jog_speed, Pps(500));
   EXPECT_TRUE(s.stage.find("jog/speed/field")) << "to be mended";
   MUST(s.hand.click("goto/1"));
   s.run(0.2);

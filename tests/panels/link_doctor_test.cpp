@@ -162,15 +162,15 @@ TEST(LinkDoctorCard, ShowsWhereTheTimeOfAQuestionGoes) {
   Desk d("vxm");
   d.open("vxm@serial:/dev/ttyS9,baud=9600");
   EXPECT_EQ(d.value("status/text"),
-            "One controller is open. Plug in another, type its address, or start an emulator.");
+            "One controller is open. Plug in another controller, type its address, or start an emulator.");
   d.click("connect/here/0/doctor");
   d.run(1);
-  EXPECT_THAT(d.value("connect/doctor"), StartsWith("One question takes "));
-  EXPECT_THAT(d.value("connect/doctor"), HasSubstr(" are possible: "));
-  EXPECT_THAT(d.value("connect/doctor/now"), HasSubstr("question 1.0"));
-  EXPECT_THAT(d.value("connect/doctor/round_trip"), HasSubstr("questions measured"));
+  EXPECT_THAT(d.value("connect/doctor"), StartsWith("One query takes "));
+  EXPECT_THAT(d.value("connect/doctor"), HasSubstr(" ms is possible: "));
+  EXPECT_THAT(d.value("connect/doctor/now"), HasSubstr("query 1.0"));
+  EXPECT_THAT(d.value("connect/doctor/round_trip"), HasSubstr("queries measured"));
   EXPECT_THAT(d.findings(), HasSubstr("The wire runs at 9600 baud, the controller can do 38400 baud"));
-  EXPECT_THAT(d.findings(), HasSubstr("No echo, no second answer, no wrong bytes"));
+  EXPECT_THAT(d.findings(), HasSubstr("No echo, no second reply, no wrong bytes"));
   d.click("connect/here/0/doctor");
   EXPECT_FALSE(d.stage.find("connect/doctor")) << "the same button folds the card";
 }
@@ -236,11 +236,11 @@ TEST(LinkDoctorCard, RaisesTheRateOfALineOverItsPowerSwitch) {
   EXPECT_EQ(d.value("connect/doctor/raise"), "It answers at 115200 baud, and keeps that rate.");
   ASSERT_EQ(d.console.tabs().size(), 2u);
   for (const auto& tab : d.console.tabs()) EXPECT_TRUE(tab->now().link.connected()) << tab->id();
-  EXPECT_THAT(d.findings(), HasSubstr("No echo, no second answer, no wrong bytes"))
+  EXPECT_THAT(d.findings(), HasSubstr("No echo, no second reply, no wrong bytes"))
       << "what came at the other rate does not count";
 }
 
-TEST(LinkDoctorCard, GoesBackToTheOldRateWhenNobodyAnswers) {
+TEST(LinkDoctorCard, GoesBackToTheOldRateWithoutAnAnswer) {
   Desk d("dmx-k-sa", {"01"});
   d.open("dmx-k-sa@serial:/dev/ttyS9,baud=9600,id=01");
   d.click("connect/here/0/doctor");

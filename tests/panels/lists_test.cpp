@@ -51,7 +51,8 @@ TEST_F(Lists, EscClosesItAndStopsAndReportsWhatItStopped) {
     s.run(0.2);
     EXPECT_FALSE(s.stage.find(list.row)) << list.row;
     EXPECT_EQ(a.count<intent::Stop>(), stops + 1) << list.row;
-    EXPECT_THAT(toasts(), HasSubstr("Esc closed what was open. It also stopped Example, which was moving."))
+    EXPECT_THAT(toasts(),
+                HasSubstr("Esc closed the open list or dialog. It also stopped Example, which was moving."))
         << list.row;
     a.now.axes[0].activity = Activity::idle;
     s.run(7);
@@ -64,7 +65,7 @@ TEST_F(Lists, WhereNothingMovedThatIsReported) {
   MUST(s.hand.key("Escape"));
   s.run(0.1);
   EXPECT_EQ(a.count<intent::Stop>(), 1);
-  EXPECT_THAT(toasts(), HasSubstr("Its stop found nothing moving or running."));
+  EXPECT_THAT(toasts(), HasSubstr("Nothing was moving or running."));
 }
 
 TEST_F(Lists, EscWithoutAListIsTheStopAlone) {
@@ -90,7 +91,7 @@ TEST_F(Lists, OfSeveralThoseThatMovedOrRanAreNamed) {
   MUST(s.hand.key("Escape"));
   s.run(0.1);
   EXPECT_THAT(toasts(), HasSubstr("It also stopped stage, which was moving. It also stopped table, which was "
-                                  "running. It does not reach laser."));
+                                  "running. Stop does not reach laser."));
 }
 
 TEST_F(Lists, AClickOutsideClosesItAndStopsNothing) {

@@ -123,7 +123,7 @@ class OddWire : public testing::TestWithParam<const char*> {};
 TEST_P(OddWire, AnEchoIsCalledAnEcho) {
   OddDesk d(GetParam(), Oddity::echo);
   EXPECT_THAT(d.findings(), HasSubstr("The console receives its own bytes"));
-  EXPECT_THAT(d.findings(), Not(HasSubstr("One question got two answers")));
+  EXPECT_THAT(d.findings(), Not(HasSubstr("Two replies came to one query")));
   EXPECT_THAT(d.findings(), Not(HasSubstr("another rate")));
 }
 
@@ -132,7 +132,7 @@ class SharedOddWire : public OddWire {};
 TEST_P(SharedOddWire, ASecondDeviceIsCalledASecondDevice) {
   OddDesk d(GetParam(), Oddity::two_answers);
   // Byte between byte, two answers of a VXM make no sense: then it is the second of two reasons.
-  EXPECT_THAT(d.findings(), testing::AnyOf(HasSubstr("One question got two answers"),
+  EXPECT_THAT(d.findings(), testing::AnyOf(HasSubstr("Two replies came to one query"),
                                            HasSubstr("two controllers may answer at once")));
   EXPECT_THAT(d.findings(), Not(HasSubstr("receives its own bytes")));
 }
@@ -140,7 +140,7 @@ TEST_P(SharedOddWire, ASecondDeviceIsCalledASecondDevice) {
 TEST_P(OddWire, AWrongRateIsCalledAWrongRateAndItsAddressCanBeChangedThere) {
   OddDesk d(GetParam(), Oddity::none, "baud=38400");
   // One that listens to its address says nothing at all to what it cannot read.
-  EXPECT_THAT(d.findings(), testing::AnyOf(HasSubstr("Most likely the controller speaks at another rate"),
+  EXPECT_THAT(d.findings(), testing::AnyOf(HasSubstr("Enter the rate that the controller is set to"),
                                            HasSubstr("here, which must match its setting")));
   MUST(d.stage.hand.type("connect/doctor/address",
                          fmt::format("{}@serial:/dev/ttyS9,baud=9600\n", GetParam())));
@@ -151,7 +151,7 @@ TEST_P(OddWire, AWrongRateIsCalledAWrongRateAndItsAddressCanBeChangedThere) {
 
 TEST_P(OddWire, AGoodOneIsCalledGood) {
   OddDesk d(GetParam(), Oddity::none);
-  EXPECT_THAT(d.findings(), HasSubstr("No echo, no second answer, no wrong bytes"));
+  EXPECT_THAT(d.findings(), HasSubstr("No echo, no second reply, no wrong bytes"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Lines, SharedOddWire, testing::Values("vxm", "pmx-4ex-sa", "dmx-k-sa"));

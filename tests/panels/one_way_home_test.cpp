@@ -25,7 +25,7 @@ class OneWayHomeTest : public testing::Test {
   }
   void SetUp() override {
     s.run(0.1);
-    a.tab->unset_read = true;
+    a.tab->view.unset_read = true;
   }
 };
 
@@ -33,7 +33,7 @@ TEST_F(OneWayHomeTest, TheOtherButtonIsOffAndShowsWhy) {
   const Widget* plus = s.stage.find("home/1/+");
   ASSERT_TRUE(plus);
   EXPECT_FALSE(plus->enabled);
-  EXPECT_EQ(plus->reason, "Homing to the limit switch goes only in the \u2212 direction.");
+  EXPECT_EQ(plus->reason, "Homing to the limit switch runs only in the \u2212 direction.");
   MUST(s.hand.click("home/1/-"));
   ASSERT_TRUE(a.last<intent::Home>());
   EXPECT_EQ(a.last<intent::Home>()->sign, Sign::minus);

@@ -15,7 +15,7 @@ class OwnUnitTest : public testing::Test {
   Example& a = s.add(example_catalog());
 
   void SetUp() override {
-    a.tab->unset_read = true;
+    a.tab->view.unset_read = true;
     a.now.axes[0].position = Steps(1000);
     s.run(0.2);
     MUST(s.hand.click("dro/unit"));
@@ -23,7 +23,7 @@ class OwnUnitTest : public testing::Test {
     MUST(s.hand.click("dro/unit/axis/1/another conversion"));
     s.run(0.1);
   }
-  const DisplayUnit& unit() { return a.tab->unit(AxisId{0}); }
+  const DisplayUnit& unit() { return a.tab->settings.unit(AxisId{0}); }
 };
 
 TEST_F(OwnUnitTest, IsReportedAsUnitsAStep) {
@@ -57,7 +57,7 @@ TEST_F(OwnUnitTest, FollowsFromTwoMeasuredPointsAndTheirDirection) {
   MUST(s.hand.click("dro/unit/own/1/second/here"));
   MUST(s.hand.click("dro/unit/own/1/measured"));
   EXPECT_DOUBLE_EQ(unit().per_step, -0.0005);
-  EXPECT_EQ(a.tab->profile.axes[0].unit_choice, own_unit_choice);
+  EXPECT_EQ(a.tab->settings.profile.axes[0].unit_choice, own_unit_choice);
   EXPECT_EQ(s.value("dro/unit/reversed/1"), "on");
 }
 

@@ -32,7 +32,7 @@ class PathBusTest : public testing::Test {
     MUST(s.hand.click("tab/path"));
     s.run(0.1);
   }
-  void goes(Example& e, const char* text) { e.tab->desk().texts.set_text(0, text); }
+  void goes(Example& e, const char* text) { e.tab->desk().programs.texts.set_text(0, text); }
 };
 
 TEST_F(PathBusTest, TwoOfItsAxesAreRehearsedTogether) {

@@ -20,7 +20,7 @@ struct PathInSpaceTest : ::testing::Test {
     s.now.poll_period = std::chrono::hours(1);
     for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
     s.stage.frames(2);
-    s.tab.desk().texts.set_text(
+    s.tab.desk().programs.texts.set_text(
         0, "ABS\nHSPD=5000\nLSPD=100\nACC=100\nX400\nWAITX\nY300\nWAITY\nZ200\nWAITZ\nX0Y0\nWAITX\nEND\n");
     s.stage.frames(2);
     s.click("path/simulate");
@@ -31,7 +31,7 @@ struct PathInSpaceTest : ::testing::Test {
   }
   std::string looked() { return s.value("path/view"); }
   /// Where a place is drawn while all of the path is shown from there.
-  ImVec2 at(drawing::Point3 p, const drawing::Looking& from = drawing::looking::iso) {
+  ImVec2 at(drawing::Point3 p, const drawing::ViewDirection& from = drawing::views::iso) {
     drawing::Box3 box;
     box.add(drawing::Point3()), box.add(drawing::Point3{400, 300, 200});
     const gui::Rect r = s.stage.find("path/view")->rect;
@@ -89,10 +89,10 @@ TEST_F(PathInSpaceTest, IsDrawnInPerspectiveAndMeasured) {
 TEST_F(PathInSpaceTest, StandardViewsHaveButtonsAndKeys) {
   s.click("path/view/top");
   EXPECT_THAT(looked(), StartsWith("turned 0, tilted 90"));
-  EXPECT_GE(inked_around(at({400, 150, 0}, drawing::looking::top)), 2);
+  EXPECT_GE(inked_around(at({400, 150, 0}, drawing::views::top)), 2);
   s.click("path/view/side");
   EXPECT_THAT(looked(), StartsWith("turned 90, tilted 0"));
-  click_on(at({400, 300, 100}, drawing::looking::side));
+  click_on(at({400, 300, 100}, drawing::views::side));
   key("f");
   EXPECT_THAT(looked(), StartsWith("turned 0, tilted 0"));
   key("i");

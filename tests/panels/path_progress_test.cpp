@@ -35,7 +35,7 @@ TEST_F(PathProgressTest, OfALoopThePassAtWorkStandsOut) {
   subject.lit = 1, subject.lit_pass = 1, subject.at_work = true;
   progress.follow(subject);
   ASSERT_EQ(progress.lit().size(), 1u);
-  EXPECT_EQ(progress.lit()[0], (PathProgress::Stretch{5, 6}));
+  EXPECT_EQ(progress.lit()[0], (PathProgress::RunRange{5, 6}));
   EXPECT_EQ(progress.done(), 5u);
 }
 
@@ -86,7 +86,7 @@ struct PathAtWorkTest : ::testing::Test {
     s.stage.frames(2);
   }
   void rehearse(const std::string& text) {
-    s.tab.desk().texts.set_text(0, text);
+    s.tab.desk().programs.texts.set_text(0, text);
     s.stage.frames(2);
     s.click("path/simulate");
     s.stage.frames(4);
@@ -94,12 +94,12 @@ struct PathAtWorkTest : ::testing::Test {
   void stands_at(int x, int y) {
     s.now.axes[0].position = Steps(x), s.now.axes[1].position = Steps(y);
     s.stage.frames(4);
-    s.tab.desk().trace.clear();
+    s.tab.desk().records.trace.clear();
     s.stage.frames(6);
   }
   /// The controller holds the text, and has told that it is at this command of it.
   void runs(std::int16_t command) {
-    s.tab.desk().texts.loaded(0, s.tab.desk().texts.text(0), s.tab.clock());
+    s.tab.desk().programs.texts.loaded(0, s.tab.desk().programs.texts.text(0), s.tab.clock());
     s.now.program = {
         .run = RunState::running, .owned = true, .slot = 0, .command = command, .command_reported = true};
     s.now.program.started_at = s.tab.clock();

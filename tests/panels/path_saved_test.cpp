@@ -15,8 +15,7 @@ struct SheetPanel final : gui::Panel {
     drawing::Box3 box;
     box.add({0, 0, 0}), box.add({100, 50, in_space ? 20.0 : 0.0});
     drawing::Projection from;
-    if (in_space)
-      from = drawing::Projection(box, drawing::looking::iso, true), subject.axes.third = AxisId{2};
+    if (in_space) from = drawing::Projection(box, drawing::views::iso, true), subject.axes.third = AxisId{2};
     sheet.emplace(f, subject, box, from, true);
   }
   bool in_space = false;

@@ -19,7 +19,7 @@ struct PathShownTest : ::testing::Test {
     s.stage.frames(2);
   }
   void rehearse(const std::string& text) {
-    s.tab.desk().texts.set_text(0, text);
+    s.tab.desk().programs.texts.set_text(0, text);
     s.stage.frames(2);
     s.click("path/simulate");
     s.stage.frames(4);
@@ -87,7 +87,7 @@ TEST_F(PathShownTest, WhereItHasBeenFadesWithItsAge) {
   for (AxisState& a : s.now.axes) a.position = Steps(-500);
   s.now.axes[1].position = Steps(100);
   s.stage.frames(1);
-  s.tab.desk().trace.clear();
+  s.tab.desk().records.trace.clear();
   walk_to(0, 4);      // 200 s
   walk_to(400, 0.1);  // and 4 s
   s.click("path/fit");

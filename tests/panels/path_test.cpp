@@ -19,7 +19,7 @@ struct PathTest : ::testing::Test {
     s.stage.frames(2);
   }
   void rehearse(const char* text) {
-    s.tab.desk().texts.set_text(0, text);
+    s.tab.desk().programs.texts.set_text(0, text);
     s.stage.frames(2);
     s.click("path/simulate");
     s.stage.frames(4);
@@ -63,8 +63,8 @@ TEST_F(PathTest, AClickShowsTheLineAndTheEditorGoesThere) {
   EXPECT_THAT(s.value("path/hit"), HasSubstr("Line 3: I2M400,"));
   EXPECT_THAT(s.value("path/hit"), HasSubstr("1 400 steps, 2 "));
   s.click("path/show_line");
-  EXPECT_EQ(s.tab.desk().wanted_line, 2);
-  s.tab.desk().texts.set_text(0, "I1M400,\nI2M400,\n");
+  EXPECT_EQ(s.tab.desk().programs.wanted_line, 2);
+  s.tab.desk().programs.texts.set_text(0, "I1M400,\nI2M400,\n");
   s.stage.frames(2);
   EXPECT_THAT(s.reason("path/show_line"), HasSubstr("changed since"));
 }
@@ -78,7 +78,7 @@ TEST_F(PathTest, AClickLeadsToItsBlockAndAChosenBlockIsLit) {
     blocks.steps.push_back(sequence::Step{move});
   }
   desk.blocks.became(std::move(blocks));
-  const auto written = desk.language()->write(desk.blocks.editor.sequence(), s.tab.catalog());
+  const auto written = desk.programs.language()->write(desk.blocks.editor.sequence(), s.tab.catalog());
   ASSERT_TRUE(written);
   rehearse(written->text.c_str());
   s.click_at(in_view(static_cast<float>(200 / per_px()), 0));
@@ -223,7 +223,7 @@ TEST_F(PathTest, WhereItHasBeenIsShownWithoutARehearsal) {
     s.now.axes[0].position = Steps(x);
     s.stage.frames(1);
   }
-  EXPECT_EQ(s.tab.desk().trace.places().size(), 31u);
+  EXPECT_EQ(s.tab.desk().records.trace.places().size(), 31u);
   s.click("path/fit");
   s.stage.frames(2);
   EXPECT_EQ(s.value("path/view/here"), "300 steps, 0 steps");
@@ -231,7 +231,7 @@ TEST_F(PathTest, WhereItHasBeenIsShownWithoutARehearsal) {
   s.stage.frames(2);
   EXPECT_EQ(s.value("path/view/here"), "300 steps, 0 steps?") << "it is old";
   s.click("path/forget");
-  EXPECT_LE(s.tab.desk().trace.places().size(), 1u);
+  EXPECT_LE(s.tab.desk().records.trace.places().size(), 1u);
 }
 
 }  // namespace

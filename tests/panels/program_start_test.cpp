@@ -16,14 +16,16 @@ struct ProgramStart : ::testing::Test {
     for (ThreadState& t : s.now.threads) t.known = true;
   }
   void put(const char* text) {
-    s.tab.desk().texts.set_text(0, text);
+    s.tab.desk().programs.texts.set_text(0, text);
     s.stage.frames(2);
   }
   void rehearse() {
     ASSERT_TRUE(s.stage.hand.key("F5"));
     s.stage.frames(4);
   }
-  const gui::Rehearsals::Outcome* outcome(int program) { return s.tab.desk().rehearsals.of(program); }
+  const gui::Rehearsals::Outcome* outcome(int program) {
+    return s.tab.desk().programs.rehearsals.of(program);
+  }
 
   static constexpr const char* both = "PRG 0\nABS\nX100\nWAITX\nEND\nPRG 1\nABS\nY200\nWAITY\nEND\n";
   const DeviceType& pmx = *find_device_type("pmx-4ex-sa");
@@ -73,7 +75,7 @@ TEST_F(ProgramStart, NothingIsAskedWhereThereIsOnlyTheFirst) {
 TEST_F(ProgramStart, RunOfAThreadShowsWhetherTheHeldTextHasBeenRehearsed) {
   put(both);
   EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("Upload to read"));
-  s.tab.desk().texts.loaded(0, both, s.tab.clock());
+  s.tab.desk().programs.texts.loaded(0, both, s.tab.clock());
   s.stage.frames(2);
   EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("Not rehearsed"));
   EXPECT_THAT(s.value("thread/3/rehearsed"), HasSubstr("holds no program with this number"));
@@ -87,20 +89,20 @@ TEST_F(ProgramStart, RunOfAThreadShowsWhetherTheHeldTextHasBeenRehearsed) {
   s.now.axes[1].position = s.now.axes[1].command = Steps(0);
   s.now.threads[0].run = RunState::held;
   s.stage.frames(2);
-  EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("another program is at work"));
+  EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("another program is running now"));
   s.now.threads[0].run = RunState::idle;
   put("PRG 1\nABS\nY300\nWAITY\nEND\n");
   rehearse();
-  EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("The text rehearsed is not the one"));
+  EXPECT_THAT(s.value("thread/1/rehearsed"), HasSubstr("another text than the rehearsed one"));
 }
 
 // What it starts is loaded with it, so its own loading is no change of another program.
 TEST_F(ProgramStart, LoadingTheTextDoesNotMakeItsRehearsalOld) {
-  s.tab.desk().texts.loaded(0, "ABS\nX1\nEND\n", s.tab.clock());
+  s.tab.desk().programs.texts.loaded(0, "ABS\nX1\nEND\n", s.tab.clock());
   put(both);
   s.click("program/start/1");
   rehearse();
-  s.tab.desk().texts.loaded(0, both, s.tab.clock());
+  s.tab.desk().programs.texts.loaded(0, both, s.tab.clock());
   s.stage.frames(2);
   EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("Rehearsed: this text"));
 }

@@ -15,10 +15,10 @@ struct ProgramTest : ::testing::Test {
     s.stage.frames(2);
   }
   void write(const char* text) {
-    s.tab.desk().texts.set_text(s.tab.desk().texts.chosen(), text);
+    s.tab.desk().programs.texts.set_text(s.tab.desk().programs.texts.chosen(), text);
     s.stage.frames(2);
   }
-  gui::ProgramTexts& texts() { return s.tab.desk().texts; }
+  gui::ProgramTexts& texts() { return s.tab.desk().programs.texts; }
   Program panel;
   test::PanelStage s{panel, 864, 480};
 };
@@ -107,7 +107,7 @@ TEST_F(ProgramTest, ReadableValuesAreReadBeforeARehearsal) {
   s.settle(IntentState::done);
   EXPECT_EQ(s.language.rehearsed, 1);
   EXPECT_EQ(s.sent.size(), asked) << "once is enough";
-  EXPECT_EQ(s.tab.desk().rehearsals.of(0)->scene.state->param(1), 77);
+  EXPECT_EQ(s.tab.desk().programs.rehearsals.of(0)->scene.state->param(1), 77);
   EXPECT_THAT(s.value("rehearsal/result"), HasSubstr("1 min"));
 }
 
@@ -199,13 +199,13 @@ TEST_F(PmxProgramTest, EachVerbStandsOnce) {
 
 TEST_F(PmxProgramTest, WhatIsShownAsBlocksBecomesThem) {
   const gui::BlockList& blocks = s.tab.desk().blocks;
-  s.tab.desk().texts.set_text(0, "ABS\nX100\nWAITX\nEND\n");
+  s.tab.desk().programs.texts.set_text(0, "ABS\nX100\nWAITX\nEND\n");
   s.click("program/more");
   s.click("program/more/Show as blocks");
   s.stage.frames(4);
   ASSERT_EQ(blocks.editor.shared()->steps.size(), 2u) << s.toast();
   EXPECT_THAT(s.toast(), HasSubstr("The text has become 2 blocks"));
-  s.tab.desk().texts.set_text(0, "X200\nEND\n");
+  s.tab.desk().programs.texts.set_text(0, "X200\nEND\n");
   s.click("program/more");
   s.click("program/more/Show as blocks");
   s.stage.frames(4);
@@ -233,7 +233,7 @@ TEST_F(ProgramTest, ButtonsFollowTheRun) {
   EXPECT_TRUE(s.last<intent::Pause>());
   s.now.program.run = RunState::held;
   s.stage.frames(2);
-  EXPECT_EQ(s.reason("program/hold"), "The program is held. Go on continues it.");
+  EXPECT_EQ(s.reason("program/hold"), "The program is held. Resume continues it.");
   s.click("program/step");
   EXPECT_TRUE(s.last<intent::SingleStep>());
   s.click("program/run");
@@ -248,7 +248,7 @@ TEST_F(ProgramTest, RehearsalShowsThatItIsOlderThanTheText) {
   EXPECT_THAT(s.value("rehearsal/result"), HasSubstr("1 min 08.6 s"));
   EXPECT_EQ(s.value("rehearsal/moves"), "40");
   write("I1\nI3\nL0");
-  EXPECT_EQ(s.tab.desk().rehearsals.older_than_line(0, texts().text(0)), 1);
+  EXPECT_EQ(s.tab.desk().programs.rehearsals.older_than_line(0, texts().text(0)), 1);
 }
 
 TEST_F(ProgramTest, SavesOpensAndReportsErrors) {
@@ -338,7 +338,7 @@ TEST(ProgramOfABoard, NothingIsOfferedThatItCannotDo) {
   Program panel;
   test::PanelStage s(panel, 864, 480, 1, gui::Tier::wide, true, c);
   s.now.slot_bytes_used[0] = 0;
-  s.tab.desk().texts.set_text(0, "I1M400");
+  s.tab.desk().programs.texts.set_text(0, "I1M400");
   s.stage.frames(2);
   for (const char* id : {"program/store", "program/memory"}) EXPECT_EQ(s.stage.find(id), nullptr) << id;
   EXPECT_THAT(s.value("program/note"), HasSubstr("keeps no programs: Run sends this text"));
@@ -355,7 +355,7 @@ TEST_F(ProgramTest, FitsEachTier) {
         std::tuple{640, 220, gui::Tier::narrow}}) {
     Program fresh;
     test::PanelStage other(fresh, width, height, 1, tier);
-    other.tab.desk().texts.set_text(0, "I1M400");
+    other.tab.desk().programs.texts.set_text(0, "I1M400");
     other.stage.frames(3);
     for (const char* id : {"program/run", "program/hold", "program/step", "program/stop", "program/simulate",
                            "program/check", "program/open", "program/save", "program/store", "program/more",
@@ -374,7 +374,7 @@ TEST(ProgramNarrow, AFileNameWithoutRoomIsReportedAtTheSlots) {
   test::PanelStage s{panel, 380, 300, 1, gui::Tier::narrow};
   TextFile file;
   file.text = "I1M400";
-  s.tab.desk().texts.opened(0, "/tmp/a-long-name-of-a-program.toy", file);
+  s.tab.desk().programs.texts.opened(0, "/tmp/a-long-name-of-a-program.toy", file);
   s.stage.frames(2);
   ASSERT_TRUE(s.stage.find("program/file"));
   EXPECT_EQ(s.value("program/file"), "a-long-name-of-a-program.toy");

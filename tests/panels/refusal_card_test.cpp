@@ -18,7 +18,7 @@ class RefusalCardTest : public testing::Test {
     s = std::make_unique<ConsoleStage>(width, height);
     Catalog c = test::full_catalog();
     example = &s->add(std::move(c));
-    example->tab->centre_panel = panel;
+    example->tab->panels.in_front = panel;
     s->run(0.2);
   }
   void refuse(const char* axis) {
@@ -100,7 +100,7 @@ TEST_F(RefusalCardTest, WhatItOffersTakesNoPressThatWasOnItsWayBefore) {
   s->stage.push(InputEvent::mouse_button(0, false, at, s->stage.now_s));
   s->stage.frames(2);
   ASSERT_TRUE(find("goto/X/nearest"));
-  EXPECT_TRUE(find("goto/X/nearest")->not_taken);
+  EXPECT_TRUE(find("goto/X/nearest")->press_ignored);
   EXPECT_EQ(example->count<intent::MoveTo>(), 0);
   MUST(s->hand.click("goto/X/nearest"));
   EXPECT_EQ(example->count<intent::MoveTo>(), 1);

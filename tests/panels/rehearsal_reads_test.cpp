@@ -16,17 +16,17 @@ struct RehearsalReads : ::testing::Test {
     s.stage.frames(2);
   }
   void rehearse(const char* text) {
-    s.tab.desk().texts.set_text(0, text);
+    s.tab.desk().programs.texts.set_text(0, text);
     s.stage.frames(2);
     s.click("program/simulate");
     s.stage.frames(4);
   }
   void listed(int slot, const char* text) {
-    s.tab.desk().texts.listed(slot, text, s.tab.clock());
+    s.tab.desk().programs.texts.listed(slot, text, s.tab.clock());
     s.settle(IntentState::done);
     s.stage.frames(4);
   }
-  [[nodiscard]] const Rehearsal& rehearsal() { return *s.tab.desk().rehearsals.of(0)->result; }
+  [[nodiscard]] const Rehearsal& rehearsal() { return *s.tab.desk().programs.rehearsals.of(0)->result; }
 
   const DeviceType& vxm = *find_device_type("vxm");
   Program panel;
@@ -69,7 +69,7 @@ TEST_F(RehearsalReads, RunDistinguishesNoEndFromARefusal) {
   rehearse("I1M400,I1M-400,L0");
   EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("no end was found"));
   rehearse("U7,I1M400,I2M400,U9");
-  EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("it cannot run"));
+  EXPECT_THAT(s.value("program/rehearsed"), HasSubstr("the program cannot run"));
 }
 
 TEST_F(RehearsalReads, NothingWhileAnAxisMoves) {

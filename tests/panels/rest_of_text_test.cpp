@@ -141,7 +141,7 @@ TEST(RestOfText, WithoutARehearsalThatCoversItNothingIsBegun) {
   const auto rest = rest_of_text(type.language(), {"ABS\nX1000\nWAITX\nX0\nWAITX\nEND\n", 3, 0}, {},
                                  *type.make_catalog({}));
   ASSERT_FALSE(rest);
-  EXPECT_THAT(rest.error().what, HasSubstr("does not show the positions when line 4 began"));
+  EXPECT_THAT(rest.error().what, HasSubstr("does not show the positions at the start of line 4"));
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ struct RunDoubtTest : ::testing::Test {
     q.steps.push_back({move});
     SequenceText written;
     written.text = "IA1M400";
-    s.tab.desk().source.put({std::make_shared<const sequence::Sequence>(q), written});
-    s.tab.desk().texts.set_text(0, written.text);
+    s.tab.desk().programs.source.put({std::make_shared<const sequence::Sequence>(q), written});
+    s.tab.desk().programs.texts.set_text(0, written.text);
     s.stage.frames(2);
   }
   /// A program that sends two motors to places, the second of them too.
@@ -38,8 +38,8 @@ struct RunDoubtTest : ::testing::Test {
     q.steps.push_back({move});
     SequenceText written;
     written.text = "IA1M400,IA2M300";
-    s.tab.desk().source.put({std::make_shared<const sequence::Sequence>(q), written});
-    s.tab.desk().texts.set_text(0, written.text);
+    s.tab.desk().programs.source.put({std::make_shared<const sequence::Sequence>(q), written});
+    s.tab.desk().programs.texts.set_text(0, written.text);
     s.stage.frames(2);
   }
   void agree_and_load() {
@@ -173,13 +173,13 @@ TEST_F(RunDoubtTest, AClickOnWhatHasJustChangedIsNoConsent) {
 TEST_F(RunDoubtTest, AnotherTextIsAnotherMatter) {
   s.click("program/run");
   ASSERT_TRUE(s.stage.find("program/doubt/refused"));
-  s.tab.desk().texts.set_text(0, "I1M5");
+  s.tab.desk().programs.texts.set_text(0, "I1M5");
   s.stage.frames(2);
   EXPECT_FALSE(s.stage.find("program/doubt/refused"));
 }
 
 TEST_F(RunDoubtTest, ATextThatWasTypedIsReadForItsPlaces) {
-  s.tab.desk().texts.set_text(0, "S1M1500\nIA1M250\nIA2M70\n");
+  s.tab.desk().programs.texts.set_text(0, "S1M1500\nIA1M250\nIA2M70\n");
   s.stage.frames(2);
   s.click("program/run");
   EXPECT_EQ(count<intent::LoadProgram>(), 0) << "nothing was sent";
@@ -189,7 +189,7 @@ TEST_F(RunDoubtTest, ATextThatWasTypedIsReadForItsPlaces) {
 }
 
 TEST_F(RunDoubtTest, ATypedTextIsNotRunForDoubtsThatCameWhileItIsLoaded) {
-  s.tab.desk().texts.set_text(0, "S1M1500\nIA1M250\nIA2M70\n");
+  s.tab.desk().programs.texts.set_text(0, "S1M1500\nIA1M250\nIA2M70\n");
   s.stage.frames(2);
   agree_and_load();
   s.now.axes[1].trust.doubt(Doubt::power_cut, Instant());
@@ -200,7 +200,7 @@ TEST_F(RunDoubtTest, ATypedTextIsNotRunForDoubtsThatCameWhileItIsLoaded) {
 
 TEST_F(RunDoubtTest, ATypedTextIsNotSteppedThroughForDoubtsThatCameWhileItIsLoaded) {
   s.now.axes[0].trust.settle(Trust::set, Instant());
-  s.tab.desk().texts.set_text(0, "S1M1500\nIA1M250\n");
+  s.tab.desk().programs.texts.set_text(0, "S1M1500\nIA1M250\n");
   s.stage.frames(2);
   s.click("program/step");
   ASSERT_TRUE(s.last<intent::LoadProgram>());
@@ -211,7 +211,7 @@ TEST_F(RunDoubtTest, ATypedTextIsNotSteppedThroughForDoubtsThatCameWhileItIsLoad
 }
 
 TEST_F(RunDoubtTest, OneThatGoesByDistancesOnlyIsNotHeldBack) {
-  s.tab.desk().texts.set_text(0, "I1M250\nIA2M70\n");
+  s.tab.desk().programs.texts.set_text(0, "I1M250\nIA2M70\n");
   s.stage.frames(2);
   s.click("program/run");
   EXPECT_FALSE(s.stage.find("program/doubt/refused"));

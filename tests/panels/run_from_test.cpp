@@ -38,7 +38,7 @@ struct RunFromTest : ::testing::Test {
     s.tab.desk().blocks.editor.load(square);
   }
   void rehearse(std::string text) {
-    s.tab.desk().texts.set_text(0, std::move(text));
+    s.tab.desk().programs.texts.set_text(0, std::move(text));
     s.stage.frames(2);
     s.click("path/simulate");
     s.stage.frames(4);
@@ -74,10 +74,10 @@ TEST_F(RunFromTest, ShowsTheWayThereAndDoesNothingBeforeItIsAgreedTo) {
   EXPECT_THAT(asked, HasSubstr("Then step 6, Move to 2: 400, and everything after it."));
   EXPECT_THAT(asked, Not(HasSubstr("no step mentions a tool")));
   EXPECT_TRUE(s.sent.empty());
-  const std::string before = s.tab.desk().texts.text(0);
+  const std::string before = s.tab.desk().programs.texts.text(0);
   s.click("path/run_from/no");
   EXPECT_TRUE(s.sent.empty());
-  EXPECT_EQ(s.tab.desk().texts.text(0), before);
+  EXPECT_EQ(s.tab.desk().programs.texts.text(0), before);
 }
 
 TEST_F(RunFromTest, RunsTheRestBehindTheWayThere) {
@@ -86,7 +86,7 @@ TEST_F(RunFromTest, RunsTheRestBehindTheWayThere) {
   s.click("path/run_here");
   s.click("path/run_from/yes");
   s.stage.frames(4);
-  const std::string& text = s.tab.desk().texts.text(0);
+  const std::string& text = s.tab.desk().programs.texts.text(0);
   const auto up = text.find("U4"), there = text.find("IA1M400"), down = text.find("U5"),
              rest = text.find("IA2M400");
   EXPECT_TRUE(up < there && there < down && down < rest && rest != std::string::npos) << text;
@@ -94,7 +94,7 @@ TEST_F(RunFromTest, RunsTheRestBehindTheWayThere) {
   // And from a place in that again.
   s.stage.frames(4);
   s.sent.clear();
-  s.tab.desk().job.give_up();
+  s.tab.desk().programs.job.give_up();
   s.settle(IntentState::failed, "no");
   s.stage.frames(4);
   s.click("path/fit");
@@ -103,13 +103,13 @@ TEST_F(RunFromTest, RunsTheRestBehindTheWayThere) {
   EXPECT_THAT(s.reason("path/run_here"), Not(HasSubstr("of no blocks")));
 }
 
-TEST_F(RunFromTest, WhereNobodyKnowsWhereAnAxisStandsNothingIsBegun) {
+TEST_F(RunFromTest, AnUnknownPositionKeepsTheRunFromBeginning) {
   rehearse(of_blocks());
   s.now.axes[1].position_known = false;
   s.stage.frames(2);
   click_on_second_side();
   s.click("path/run_here");
-  EXPECT_THAT(s.toast(), HasSubstr("The position of motor 2 is not known. Nothing was begun."));
+  EXPECT_THAT(s.toast(), HasSubstr("The position of motor 2 is not known. Nothing was started."));
   EXPECT_FALSE(s.stage.find("path/run_from/yes"));
   s.now.axes[1].position_known = true;
   s.now.axes[0].trust.doubt(Doubt::power_cut, {});
@@ -162,7 +162,7 @@ TEST_F(RunFromTest, ATypedTextIsBegunWhereItsRehearsalCameTo) {
   EXPECT_TRUE(s.sent.empty());
   s.click("path/run_from/yes");
   s.stage.frames(4);
-  const std::string& text = s.tab.desk().texts.text(0);
+  const std::string& text = s.tab.desk().programs.texts.text(0);
   const auto there = text.find("IA1M400"), rest = text.find("I2M400"), last = text.find("I1M-400");
   EXPECT_TRUE(there < rest && rest < last && last != std::string::npos) << text;
   EXPECT_THAT(text, HasSubstr("From line 2 on."));
@@ -178,7 +178,7 @@ TEST_F(RunFromTest, OfALineOfSeveralCommandsTheOneThatWasClickedIsMeant) {
   EXPECT_THAT(s.value("path/run_from/says"), HasSubstr("First: Move to 1: 400, 2: 0.")) << s.toast();
 }
 
-TEST_F(RunFromTest, WhatATypedTextLeavesBehindThatNobodyKnowsIsNamed) {
+TEST_F(RunFromTest, TheUnknownStateAfterATypedTextIsNamed) {
   rehearse("I1M400,\nU99,\nI2M400,\nI1M-400,\n");
   click_on_second_side();
   ASSERT_THAT(s.value("path/hit"), HasSubstr("Line 3"));
@@ -214,20 +214,20 @@ TEST_F(RunFromTest, WithinALoopThePassThatWasClickedIsWrittenOut) {
   EXPECT_THAT(s.value("path/run_from/says"), HasSubstr("Move to 1: 200, 2: 100."));
   s.click("path/run_from/yes");
   s.stage.frames(4);
-  EXPECT_THAT(s.tab.desk().texts.text(0), HasSubstr("LA2")) << "two passes are left";
+  EXPECT_THAT(s.tab.desk().programs.texts.text(0), HasSubstr("LA2")) << "two passes are left";
 }
 
-TEST_F(RunFromTest, ALineOfALoopThatNobodyClickedIsRefusedWithTheReason) {
+TEST_F(RunFromTest, ALoopLineThatWasNotClickedIsRefusedWithTheReason) {
   s.tab.desk().blocks.editor.load(stairs(s.tab.desk().blocks.editor.sequence()));
   const std::string text = of_blocks();
   rehearse(text);
   const auto before = text.find("I2M100");
-  s.tab.desk().caret_line =
+  s.tab.desk().programs.caret_line =
       static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(before), '\n'));
   s.stage.frames(2);
   s.click("path/run_here");
-  EXPECT_THAT(s.toast(), HasSubstr("the path does not show which pass of it this is"));
-  EXPECT_THAT(s.toast(), HasSubstr("Click the pass that you mean"));
+  EXPECT_THAT(s.toast(), HasSubstr("the path does not show in which pass"));
+  EXPECT_THAT(s.toast(), HasSubstr("Click the pass in the picture"));
   EXPECT_FALSE(s.stage.find("path/run_from/yes"));
   EXPECT_TRUE(s.sent.empty());
 }

@@ -80,12 +80,12 @@ TEST_P(Screens, WithoutController) {
 
 TEST_P(Screens, Typical) {
   Example& a = s.add();
-  a.tab->profile.name = "Stage";
-  a.tab->profile.axes[0].name = "across";
-  a.tab->profile.unit = "real";
-  a.tab->profile.axes[0].unit_choice = a.tab->profile.axes[1].unit_choice = "screw of 1 mm";
-  a.tab->profile.jog_step = Steps(40);
-  a.tab->profile_edited();
+  a.tab->settings.profile.name = "Stage";
+  a.tab->settings.profile.axes[0].name = "across";
+  a.tab->settings.profile.unit = "real";
+  a.tab->settings.profile.axes[0].unit_choice = a.tab->settings.profile.axes[1].unit_choice = "screw of 1 mm";
+  a.tab->settings.profile.jog_step = Steps(40);
+  a.tab->settings.edited();
   a.now.axes[0].position = Steps(3120);
   a.now.axes[0].activity = Activity::moving;
   a.now.axes[0].direction = 1;
@@ -172,7 +172,7 @@ TEST_P(Screens, NothingLiesOverAnother) {
       axis.activity = i % 2 ? Activity::moving : Activity::idle;
       axis.direction = -1;
       axis.speed = Pps(5999);
-      a.tab->profile.axes[static_cast<std::size_t>(i)].name = "a long name of an axis";
+      a.tab->settings.profile.axes[static_cast<std::size_t>(i)].name = "a long name of an axis";
     }
     s.run(0.2);
     expect_apart(axes);
@@ -316,7 +316,7 @@ TEST(ScreensOnce, TheConnectionPageKnowsWhatIsOpen) {
   s.console.show_page("connect");
   s.run(0.1);
   EXPECT_EQ(s.value("status/text"),
-            "One controller is open. Plug in another, type its address, or start an emulator.");
+            "One controller is open. Plug in another controller, type its address, or start an emulator.");
 }
 
 TEST(ScreensOnce, AConnectionByItsPartsFitsEachWindow) {
@@ -443,7 +443,7 @@ TEST(ScreensOnce, ControllersAreRenamedAndClosed) {
   ASSERT_TRUE(s.hand.click("names/ok").has_value());
   s.run(0.1);
   EXPECT_EQ(s.console.tabs()[1]->name(), "Stage");
-  EXPECT_EQ(s.console.tabs()[1]->profile.axes[0].name, "across");
+  EXPECT_EQ(s.console.tabs()[1]->settings.profile.axes[0].name, "across");
   ASSERT_TRUE(s.hand.click("menu").has_value());
   s.run(0.1);
   ASSERT_TRUE(s.hand.click("menu/close").has_value());
@@ -478,7 +478,7 @@ TEST(ScreensOnce, AnAddressThatMakesNoSenseIsRefusedInWords) {
   EXPECT_EQ(s.value("connect/address"), "teapot@stove");
 }
 
-TEST(ScreensOnce, ARefusalThatNobodyWatchesIsReportedOnce) {
+TEST(ScreensOnce, AnUnwatchedRefusalIsReportedOnce) {
   ConsoleStage s;
   Example& a = s.add();
   s.run(0.1);
@@ -496,7 +496,7 @@ TEST(ScreensOnce, ARefusalThatNobodyWatchesIsReportedOnce) {
 TEST(ScreensOnce, AToastNamesItsControllerOverTheTabOfAnother) {
   ConsoleStage s;
   Example& a = s.add();
-  a.tab->profile.name = "Stage";
+  a.tab->settings.profile.name = "Stage";
   s.console.toast(*a.tab, Severity::fault, "The home switch is not there.");
   s.run(0.2);
   EXPECT_EQ(s.value("toast/1"), "The home switch is not there.");
@@ -509,18 +509,19 @@ TEST(ScreensOnce, AToastNamesItsControllerOverTheTabOfAnother) {
 TEST(ScreensOnce, WhatWasReportedOfATextGoesWhenTheTextChanges) {
   ConsoleStage s;
   Example& a = s.add();
-  a.tab->centre_panel = "program";
-  a.tab->desk().texts.set_text(0, "I1M400");
+  a.tab->panels.in_front = "program";
+  a.tab->desk().programs.texts.set_text(0, "I1M400");
   s.run(0.1);
-  s.console.toast(Severity::fault, "Nothing was sent. Line 1: BAD is no command.", &a.tab->desk().texts);
+  s.console.toast(Severity::fault, "Nothing was sent. Line 1: BAD is no command.",
+                  &a.tab->desk().programs.texts);
   s.console.toast(Severity::fault, "The home switch is not there.");
   s.run(0.2);
   ASSERT_TRUE(s.hand.exists("toast/1"));
-  a.tab->desk().texts.set_text(0, "I1M500");
+  a.tab->desk().programs.texts.set_text(0, "I1M500");
   s.run(0.1);
   EXPECT_FALSE(s.hand.exists("toast/1"));
   EXPECT_TRUE(s.hand.exists("toast/2")) << "it spoke of something else";
-  s.console.toast(Severity::fault, "Line 1: no.", &a.tab->desk().texts);
+  s.console.toast(Severity::fault, "Line 1: no.", &a.tab->desk().programs.texts);
   s.run(0.1);
   ASSERT_TRUE(s.hand.exists("toast/3"));
   a.now.program.started_at = s.scheduler.now();

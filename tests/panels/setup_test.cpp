@@ -32,7 +32,7 @@ TEST_F(SetupTest, EditedValueGoesOutWithWriteOnly) {
   s.now.params[1].value = 100;
   s.settle(IntentState::done);
   EXPECT_THAT(s.toast(), HasSubstr("1 value written and read back."));
-  EXPECT_THAT(s.reason("setup/write"), HasSubstr("Nothing here differs"));
+  EXPECT_THAT(s.reason("setup/write"), HasSubstr("No value here differs"));
 }
 
 TEST_F(SetupTest, WhatCountsStepsIsTypedInTheUnitOfItsAxis) {
@@ -48,9 +48,9 @@ TEST_F(SetupTest, WhatCountsStepsIsTypedInTheUnitOfItsAxis) {
   const auto i = static_cast<std::size_t>(catalog.find_param("HSX"));
   other.now.params[i].known = true;
   other.now.params[i].value = 1000;
-  other.tab.profile.unit = "real";
-  other.tab.profile.axes[0].unit_choice = "screw";
-  other.tab.profile_edited();
+  other.tab.settings.profile.unit = "real";
+  other.tab.settings.profile.axes[0].unit_choice = "screw";
+  other.tab.settings.edited();
   other.type("setup/filter", "HSX");
   other.stage.frames(4);
   EXPECT_EQ(other.value("setup/HSX"), "2.5000");
@@ -73,7 +73,7 @@ TEST(SetupFacts, LargeNumbersAreGroupedAsInTheirField) {
 
 TEST_F(SetupTest, OutOfRangeIsReportedAndNotTaken) {
   s.type("setup/j1M", "9000\n");
-  EXPECT_THAT(s.reason("setup/write"), HasSubstr("Nothing here differs"));
+  EXPECT_THAT(s.reason("setup/write"), HasSubstr("No value here differs"));
   EXPECT_EQ(s.value("setup/j1M"), "9000") << "what was typed stays to be mended";
   EXPECT_TRUE(s.sent.empty());
 }

@@ -44,7 +44,7 @@ class StopTimesTest : public testing::TestWithParam<const char*> {
   gui::Tab& tab() { return *console.tabs().front(); }
   /// Of the last stop, in ms.
   double first_byte_after() {
-    const std::string& words = tab().desk().stop_times.words();
+    const std::string& words = tab().desk().records.stop_times.words();
     double ms = -1;
     std::sscanf(words.c_str(), "Last stop: first byte after %lf", &ms);
     return ms;
@@ -71,8 +71,8 @@ TEST_P(StopTimesTest, CountFromThePress) {
   stage.push(gui::InputEvent::mouse_button(0, false, at, stage.now_s));
   run(4);
   ASSERT_FALSE(tab().now().axis_moves(0));
-  EXPECT_GE(first_byte_after(), 1000 * frame_is_late_by_s) << tab().desk().stop_times.words();
-  EXPECT_LE(first_byte_after(), 1000 * frame_is_late_by_s + 60) << tab().desk().stop_times.words();
+  EXPECT_GE(first_byte_after(), 1000 * frame_is_late_by_s) << tab().desk().records.stop_times.words();
+  EXPECT_LE(first_byte_after(), 1000 * frame_is_late_by_s + 60) << tab().desk().records.stop_times.words();
 }
 
 TEST_P(StopTimesTest, CountFromTheKeyThatPressesTheFocusedStop) {
@@ -89,8 +89,8 @@ TEST_P(StopTimesTest, CountFromTheKeyThatPressesTheFocusedStop) {
   stage.push(gui::InputEvent::key(GLFW_KEY_ENTER, false, stage.now_s));
   run(4);
   ASSERT_FALSE(tab().now().axis_moves(0));
-  EXPECT_GE(first_byte_after(), 1000 * frame_is_late_by_s) << tab().desk().stop_times.words();
-  EXPECT_LE(first_byte_after(), 1000 * frame_is_late_by_s + 60) << tab().desk().stop_times.words();
+  EXPECT_GE(first_byte_after(), 1000 * frame_is_late_by_s) << tab().desk().records.stop_times.words();
+  EXPECT_LE(first_byte_after(), 1000 * frame_is_late_by_s + 60) << tab().desk().records.stop_times.words();
 }
 
 }  // namespace

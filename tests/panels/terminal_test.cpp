@@ -12,7 +12,7 @@ struct TerminalTest : ::testing::Test {
   void wire(Way way, TrafficKind kind, const char* bytes) {
     TrafficEntry e;
     e.at = s.tab.clock(), e.way = way, e.kind = kind, e.bytes = bytes;
-    s.tab.desk().traffic.append(e);
+    s.tab.desk().records.traffic.append(e);
   }
   Terminal panel;
   test::PanelStage s{panel, 864, 300};
@@ -141,8 +141,8 @@ TEST_F(TerminalTest, ChosenLinesAreCopied) {
 
 TEST_F(TerminalTest, WhatHappenedStandsInItsPlaceAndCanBeNarrowedAndCopied) {
   s.type("terminal/command", "I1M400,R\n");
-  s.tab.desk().events.add({gui::Happening::Mark::limit, true, s.tab.clock(), "1",
-                           "motion ended on its + limit, at 400 steps", 0.4});
+  s.tab.desk().records.events.add({gui::LoggedEvent::Mark::limit, true, s.tab.clock(), "1",
+                                   "motion ended on its + limit, at 400 steps", 0.4});
   s.click("terminal/view/happened");
   EXPECT_FALSE(s.stage.find("terminal/log"));
   EXPECT_THAT(s.value("happened/log"), HasSubstr("1 motion ended on its + limit, at 400 steps (0.4 s)"));

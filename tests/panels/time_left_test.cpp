@@ -13,11 +13,11 @@ struct RunLeft : ::testing::Test {
   void begin(const char* text) {
     s.now.slot_bytes_used.fill(0);
     for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
-    s.tab.desk().texts.set_text(0, text);
+    s.tab.desk().programs.texts.set_text(0, text);
     s.stage.frames(2);
     s.click("program/simulate");
     s.stage.frames(4);
-    s.tab.desk().texts.loaded(0, text, s.tab.clock());
+    s.tab.desk().programs.texts.loaded(0, text, s.tab.clock());
     ProgramState& p = s.now.program;
     p.owned = true, p.slot = 0, p.run = RunState::running, p.started_at = s.tab.clock();
     s.stage.frames(4);
@@ -50,7 +50,7 @@ TEST(LineOfTime, OfOutputsAndInputsIsSeenWithoutScrolling) {
   test::PanelStage s(panel, 864, 560, 1, gui::Tier::wide, true, *pmx.make_catalog({}), &pmx.language());
   s.now.axis_count = 4;
   for (AxisState& a : s.now.axes) a.position_known = true, a.activity = Activity::idle;
-  s.tab.desk().texts.set_text(
+  s.tab.desk().programs.texts.set_text(
       0, "EO=15\nDO1=1\nDO2=1\nX500Y400Z300U200\nWAITX\nDO1=0\nIF DI1=0\nDO2=0\nENDIF\nEND\n");
   s.stage.frames(2);
   s.click("program/simulate");
@@ -72,14 +72,14 @@ TEST(RehearsalOfALoop, ThatTheTextSwitchesOffBeginsWhereTheAxisStands) {
   ASSERT_GE(loop, 0);
   s.now.params[static_cast<std::size_t>(loop)] = {1, true};
   s.now.axes[0].in_counts = true;
-  s.tab.desk().texts.set_text(0, "EO=1\nSL=0\nX500\nWAITX\nEND\n");
+  s.tab.desk().programs.texts.set_text(0, "EO=1\nSL=0\nX500\nWAITX\nEND\n");
   s.stage.frames(2);
   s.click("program/simulate");
   s.stage.frames(4);
-  const gui::Rehearsals::Outcome* outcome = s.tab.desk().rehearsals.of(0);
+  const gui::Rehearsals::Outcome* outcome = s.tab.desk().programs.rehearsals.of(0);
   ASSERT_TRUE(outcome && outcome->result);
   EXPECT_FALSE(outcome->result->axes[0].in_counts);
-  EXPECT_NE(outcome->stand.footing, gui::Footing::other_count);
+  EXPECT_NE(outcome->start.match, gui::StartMatch::other_count);
   EXPECT_THAT(s.value("rehearsal/axis/X"), HasSubstr(s.catalog.step_word)) << "not in counts";
 }
 

@@ -19,10 +19,10 @@ class TravelTest : public testing::Test {
   Example& a = s.add(example_catalog());
 
   void SetUp() override {
-    a.tab->unset_read = true;
-    a.tab->profile.unit = "real";
-    a.tab->profile.axes[0].unit_choice = "screw of 1 mm";
-    a.tab->profile_edited();
+    a.tab->view.unset_read = true;
+    a.tab->settings.profile.unit = "real";
+    a.tab->settings.profile.axes[0].unit_choice = "screw of 1 mm";
+    a.tab->settings.edited();
     a.now.axes[0].position = Steps(4000);  // 10 mm
     s.run(0.2);
   }
@@ -48,16 +48,17 @@ TEST_F(TravelTest, AreTypedInTheUnitOfTheAxisAndKept) {
   EXPECT_EQ(a.last<intent::SetTravel>()->travel.plus, Steps(120'000));
   MUST(s.hand.click("dro/1/limit/-/here"));
   EXPECT_EQ(a.last<intent::SetTravel>()->travel, from_to(4000, 120'000));
-  EXPECT_EQ(a.tab->profile.axes[0].travel, from_to(4000, 120'000));
+  EXPECT_EQ(a.tab->settings.profile.axes[0].travel, from_to(4000, 120'000));
   MUST(s.hand.type("dro/1/limit/-", "400\n"));
-  EXPECT_EQ(a.tab->profile.axes[0].travel, from_to(4000, 120'000)) << "it would lie past the other one";
+  EXPECT_EQ(a.tab->settings.profile.axes[0].travel, from_to(4000, 120'000))
+      << "it would lie past the other one";
   MUST(s.hand.click("dro/1/limit/+/none"));
   EXPECT_FALSE(a.last<intent::SetTravel>()->travel.has_plus);
 }
 
 TEST_F(TravelTest, InAUnitThatCountsAgainstTheStepsTheSmallerNumberIsTheLowerEnd) {
-  a.tab->profile.axes[0].reversed = true;
-  a.tab->profile_edited();
+  a.tab->settings.profile.axes[0].reversed = true;
+  a.tab->settings.edited();
   hold_to(from_to(-1200, 3200));
   EXPECT_EQ(s.value("dro/1/travel"), "-8.000 to 3.000 mm");
   Travel open = from_to(-1200, 0);
@@ -65,7 +66,7 @@ TEST_F(TravelTest, InAUnitThatCountsAgainstTheStepsTheSmallerNumberIsTheLowerEnd
   hold_to(open);
   EXPECT_EQ(s.value("dro/1/travel"), "up to 3.000 mm");
   const PastTravel past{AxisId{0}, Sign::minus, Steps(-2000), Steps(-1200)};
-  EXPECT_EQ(describe_past(a.tab->catalog(), past, a.tab->place_words()),
+  EXPECT_EQ(describe_past(a.tab->catalog(), past, a.tab->settings.place_words()),
             "5.000 mm lies 2.000 mm past the \u2212 limit of motor 1, 3.000 mm. Nothing was sent.");
 }
 
@@ -132,14 +133,13 @@ TEST_F(TravelTest, AJogAtTheLimitIsRefusedInTheUnitOfTheAxis) {
   IntentOutcome outcome;
   outcome.state = IntentState::refused;
   outcome.past = PastTravel{AxisId{0}, Sign::plus, Steps(120'000), Steps(120'000), -1, PastTravel::Of::jog};
-  EXPECT_EQ(
-      a.tab->words_of(outcome),
-      "Motor 1 stands at the + limit that is set for it, 300.000 mm, or beyond. Nothing was sent. Jog it the "
-      "other way, or change the limit.");
+  EXPECT_EQ(a.tab->messages.words_of(outcome),
+            "Motor 1 is at the + limit set for it, 300.000 mm, or beyond. Nothing was sent. Jog it the "
+            "other way, or change the limit.");
 }
 
 TEST_F(TravelTest, ASavedPlaceOutsideOffersTheNearestInside) {
-  a.tab->profile.places.push_back({"far", {{AxisId{0}, Steps(130'000)}, {AxisId{1}, Steps(50)}}});
+  a.tab->settings.profile.places.push_back({"far", {{AxisId{0}, Steps(130'000)}, {AxisId{1}, Steps(50)}}});
   hold_to(from_to(-8000, 120'000));
   MUST(s.hand.click("places"));
   MUST(s.hand.click("places/far/go"));
@@ -193,7 +193,7 @@ TEST_F(TravelTest, LimitsThatCrossAreReportedInTheUnitUntilTheyAreMended) {
 
 TEST_F(TravelTest, ALimitPassedIsReportedInTheUnitOfTheAxis) {
   PastTravel passed{AxisId{0}, Sign::plus, Steps(120'400), Steps(120'000)};
-  EXPECT_EQ(describe_warned(a.tab->catalog(), passed, a.tab->place_words()),
+  EXPECT_EQ(describe_warned(a.tab->catalog(), passed, a.tab->settings.place_words()),
             "Motor 1 has passed its + limit, 300.000 mm: nothing ends this motion there.");
 }
 
@@ -231,9 +231,9 @@ TEST_F(TravelTest, TheLowestTypedSpeedIsNotTheControllersOwn) {
 }
 
 TEST_F(TravelTest, SavedPlacesAndZeroGoAtTheSpeedOfGo) {
-  a.tab->profile.axes[1].unit_choice = "table";
-  a.tab->profile.places.push_back({"load", {{AxisId{0}, Steps(4000)}, {AxisId{1}, Steps(50)}}});
-  a.tab->profile_edited();
+  a.tab->settings.profile.axes[1].unit_choice = "table";
+  a.tab->settings.profile.places.push_back({"load", {{AxisId{0}, Steps(4000)}, {AxisId{1}, Steps(50)}}});
+  a.tab->settings.edited();
   MUST(s.hand.type("goto/speed", "5\n"));
   s.run(0.1);
   MUST(s.hand.click("places"));
@@ -253,12 +253,13 @@ class GoTogetherTest : public TravelTest {
     catalog.can.interpolates = true;
     catalog.can.speed_along_path = along_path;
     Example& b = s.add(std::move(catalog));
-    b.tab->unset_read = true;
-    b.tab->profile.unit = "real";
-    b.tab->profile.axes[0].unit_choice = unit;
-    b.tab->profile.axes[1].unit_choice = other;
-    b.tab->profile.places.push_back({"load", {{AxisId{0}, Steps(first)}, {AxisId{1}, Steps(second)}}});
-    b.tab->profile_edited();
+    b.tab->view.unset_read = true;
+    b.tab->settings.profile.unit = "real";
+    b.tab->settings.profile.axes[0].unit_choice = unit;
+    b.tab->settings.profile.axes[1].unit_choice = other;
+    b.tab->settings.profile.places.push_back(
+        {"load", {{AxisId{0}, Steps(first)}, {AxisId{1}, Steps(second)}}});
+    b.tab->settings.edited();
     as_it_is(b.now);
     s.run(0.2);
     EXPECT_TRUE(s.hand.type("goto/speed", "5\n").has_value());
@@ -305,8 +306,8 @@ TEST_F(GoTogetherTest, AnAxisWithoutAUnitIsNotFasterThanOneThatHas) {
 }
 
 TEST_F(TravelTest, GoOfAnAxisThatCountsAgainstItsStepsHasASpeedToo) {
-  a.tab->profile.axes[0].reversed = true;
-  a.tab->profile_edited();
+  a.tab->settings.profile.axes[0].reversed = true;
+  a.tab->settings.edited();
   s.run(0.1);
   MUST(s.hand.type("goto/speed", "5\n"));
   MUST(s.hand.type("goto/1", "20\n"));
@@ -344,8 +345,8 @@ TEST_F(TravelTest, ARowOfManyAxesGoesByTheSpeedThatStandsBelowIt) {
 TEST_F(TravelTest, WhatIsTypedForGoStaysWhereItIsInAnotherUnit) {
   MUST(s.hand.type("goto/speed", "5"));
   MUST(s.hand.type("goto/1", "20"));
-  a.tab->profile.unit.clear();
-  a.tab->profile_edited();
+  a.tab->settings.profile.unit.clear();
+  a.tab->settings.edited();
   s.run(0.1);
   EXPECT_EQ(s.value("goto/1"), "8000");
   EXPECT_EQ(s.value("goto/speed"), "2000");
@@ -360,7 +361,7 @@ TEST_F(TravelTest, APlaceIsSavedGoneToChangedAndForgotten) {
   s.run(0.1);
   MUST(s.hand.click("places"));
   MUST(s.hand.type("places/name", "load\n"));
-  ASSERT_EQ(a.tab->profile.places.size(), 1u);
+  ASSERT_EQ(a.tab->settings.profile.places.size(), 1u);
   a.now.axes[0].position = a.now.axes[1].position = Steps(0);
   s.run(0.1);
   MUST(s.hand.click("places/load/go"));
@@ -371,11 +372,11 @@ TEST_F(TravelTest, APlaceIsSavedGoneToChangedAndForgotten) {
   MUST(s.hand.click("places"));
   MUST(s.hand.click("places/load/edit"));
   MUST(s.hand.type("places/load/1", "7\n"));
-  EXPECT_EQ(a.tab->profile.places[0].at[0].value, Steps(2800));
+  EXPECT_EQ(a.tab->settings.profile.places[0].at[0].value, Steps(2800));
   MUST(s.hand.click("places/load/2/here"));
-  EXPECT_EQ(a.tab->profile.places[0].at[1].value, Steps(0));
+  EXPECT_EQ(a.tab->settings.profile.places[0].at[1].value, Steps(0));
   MUST(s.hand.click("places/load/forget"));
-  EXPECT_TRUE(a.tab->profile.places.empty());
+  EXPECT_TRUE(a.tab->settings.profile.places.empty());
 }
 
 TEST_F(TravelTest, NoPlaceIsSavedByACountThatIsNotToBeTrusted) {
@@ -384,7 +385,7 @@ TEST_F(TravelTest, NoPlaceIsSavedByACountThatIsNotToBeTrusted) {
   MUST(s.hand.click("places"));
   MUST(s.hand.type("places/name", "load"));
   MUST(s.hand.click("places/save"));
-  EXPECT_TRUE(a.tab->profile.places.empty());
+  EXPECT_TRUE(a.tab->settings.profile.places.empty());
 }
 
 }  // namespace

@@ -262,7 +262,7 @@ TEST_F(TuningTest, RepeatIsNotCarriedOnAfterAStop) {
   EXPECT_THAT(s.toast(), HasSubstr("Repeat is off"));
 }
 
-TEST_F(TuningTest, RepeatIsNotCarriedOnAfterAnybodyElseHasSentSomething) {
+TEST_F(TuningTest, RepeatEndsWhenAnotherCommandWasSent) {
   s.click("tuning/repeat");
   samples(0.5);
   IntentOutcome other;

@@ -64,7 +64,7 @@ TEST(Worker, RunsBesideAndHandsOver) {
     worker.run([] { return 42; }, [&](int value) { result = value; }, alive);
     while (!worker.deliver()) std::this_thread::yield();
     EXPECT_EQ(result, 42);
-    EXPECT_TRUE(worker.idle());
+    EXPECT_FALSE(worker.deliver()) << "nothing is left";
   }
   EXPECT_GE(woken, 1);
 }

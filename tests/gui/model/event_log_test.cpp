@@ -21,15 +21,15 @@ const Catalog catalog = two_axes();
 std::string in_mm(AxisId, Steps place) { return std::to_string(place.value / 100) + " mm"; }
 
 std::string words(const Ending& e) {
-  const Happening event = event_of(e, catalog, in_mm);
-  return event.who + " " + event.words;
+  const LoggedEvent event = event_of(e, catalog, in_mm);
+  return event.subject + " " + event.words;
 }
 
-Ending motion(EndedBy by, StoppedBy who = StoppedBy::unknown) {
+Ending motion(EndedBy by, StoppedBy stopped_by = StoppedBy::unknown) {
   Ending e;
   e.axis = 1;
   e.began = Instant{seconds(2)}, e.at = Instant{seconds(9)};
-  e.by = by, e.who = who;
+  e.by = by, e.stopped_by = stopped_by;
   e.place_known = true, e.place = Steps(8500);
   return e;
 }
@@ -49,12 +49,12 @@ Ending of_run(Ending e, double at) {
   e.at = Instant(from_seconds(at));
   return e;
 }
-Ending program(EndedBy by, double at, StoppedBy who = StoppedBy::unknown) {
+Ending program(EndedBy by, double at, StoppedBy stopped_by = StoppedBy::unknown) {
   Ending e;
   e.what = Ending::What::program;
   e.slot = 2;
   e.began = Instant{seconds(1)}, e.at = Instant(from_seconds(at));
-  e.by = by, e.who = who;
+  e.by = by, e.stopped_by = stopped_by;
   return e;
 }
 /// All lines, oldest first.
@@ -62,7 +62,8 @@ std::string reported(std::initializer_list<Ending> endings) {
   EventLog log;
   for (const Ending& ending : endings) log.add(ending, catalog, in_mm);
   std::string all;
-  for (const Happening& event : log.list()) all += (all.empty() ? "" : " | ") + event.who + " " + event.words;
+  for (const LoggedEvent& event : log.list())
+    all += (all.empty() ? "" : " | ") + event.subject + " " + event.words;
   return all;
 }
 
@@ -113,8 +114,8 @@ TEST(OneThingIsOneLine, NotAMotionThatEndsLongAfterTheProgram) {
 }
 
 TEST(EndingWords, AnEndThatIsNotKnownIsNotShownAsGood) {
-  const Happening event = event_of(motion(EndedBy::nothing), catalog, in_mm);
-  EXPECT_EQ(event.mark, Happening::Mark::message);
+  const LoggedEvent event = event_of(motion(EndedBy::nothing), catalog, in_mm);
+  EXPECT_EQ(event.mark, LoggedEvent::Mark::message);
   EXPECT_TRUE(is_shown(event, EventFilter::ends)) << "an end all the same";
 }
 
@@ -135,14 +136,13 @@ TEST(EndingWords, NameTheLimitAndTheError) {
 TEST(EndingWords, NameWhatMayHaveCutItShortOrLostIt) {
   Ending e = motion(EndedBy::elsewhere);
   e.beside_program = true;
-  EXPECT_EQ(
-      words(e),
-      "Y motion was cut short by the program that runs, by another host or at the controller, at 85 mm");
+  EXPECT_EQ(words(e),
+            "Y motion was cut short by the running program, by another host or at the controller, at 85 mm");
   e.beside_program = false, e.perhaps_limit = true;
   EXPECT_EQ(words(e),
             "Y motion was cut short by a limit switch, by another host or at the controller, at 85 mm");
   e = motion(EndedBy::lost);
-  EXPECT_EQ(words(e), "Y motion ended unseen: it is not known how, at 85 mm");
+  EXPECT_EQ(words(e), "Y motion ended unseen: the cause is not known, at 85 mm");
   e.lost_with = Doubt::power_cut;
   EXPECT_EQ(words(e), "Y motion ended unseen: its power was cut, at 85 mm");
   e = motion(EndedBy::limit);
@@ -173,7 +173,7 @@ TEST(EndingWords, ShowAStopsCourse) {
 TEST(EndingWords, DistinguishAJogAHomingAndARun) {
   Ending e = motion(EndedBy::stop, StoppedBy::let_go);
   e.what = Ending::What::jog;
-  EXPECT_EQ(words(e), "Y jog ended when its button was let go, at 85 mm");
+  EXPECT_EQ(words(e), "Y jog ended when its button was released, at 85 mm");
   e = motion(EndedBy::target);
   e.what = Ending::What::homing;
   e.place_known = false;
@@ -181,7 +181,7 @@ TEST(EndingWords, DistinguishAJogAHomingAndARun) {
   Ending run;
   run.what = Ending::What::program, run.slot = 2, run.by = EndedBy::target;
   EXPECT_EQ(words(run), "Program 2 ran to its end");
-  run.what = Ending::What::list, run.by = EndedBy::stop, run.who = StoppedBy::button;
+  run.what = Ending::What::list, run.by = EndedBy::stop, run.stopped_by = StoppedBy::button;
   run.done = 4, run.total = 12;
   EXPECT_EQ(words(run), "List stopped by the Stop button after 4 of 12");
 }
@@ -234,8 +234,8 @@ TEST_F(EventLogTest, ALinkThatGoesAndComesBackIsReportedOnceEach) {
   at(4, LinkState::connecting);
   at(5, LinkState::good);
   at(6, LinkState::late);
-  EXPECT_EQ(text(), "00:00:05  answers again (3.0 s)\n00:00:02  no answer any more: the link is lost\n");
-  EXPECT_EQ(text(EventFilter::trouble), "00:00:02  no answer any more: the link is lost\n");
+  EXPECT_EQ(text(), "00:00:05  answers again (3.0 s)\n00:00:02  no reply any more: the link is lost\n");
+  EXPECT_EQ(text(EventFilter::trouble), "00:00:02  no reply any more: the link is lost\n");
   EXPECT_EQ(text(EventFilter::ends), "");
 }
 
@@ -254,7 +254,7 @@ TEST_F(EventLogTest, APlaceThatIsLostIsTroubleOfItsAxis) {
 
 TEST_F(EventLogTest, TheOldestGo) {
   for (std::size_t i = 0; i < EventLog::capacity + 5; ++i)
-    log.add({Happening::Mark::message, false, {}, {}, std::to_string(i), -1});
+    log.add({LoggedEvent::Mark::message, false, {}, {}, std::to_string(i), -1});
   EXPECT_EQ(log.list().size(), EventLog::capacity);
   EXPECT_EQ(log.list().front().words, "5");
 }

@@ -39,7 +39,7 @@ TEST_F(LogLinesTest, ShowsTheNewestFirst) {
 
 TEST_F(LogLinesTest, AreChosenByFamilyLevelAndWords) {
   log::set_level("", log::Level::debug);
-  write("link", log::Level::debug, "no answer to \"V\"");
+  write("link", log::Level::debug, "no reply to \"V\"");
   write("driver.vxm", log::Level::debug, "round failed");
   write("driver.vme58", log::Level::warning, "power was cut");
   lines.set_view({.family = "driver"});
@@ -47,8 +47,8 @@ TEST_F(LogLinesTest, AreChosenByFamilyLevelAndWords) {
   lines.set_view({.family = "driver", .least = log::Level::warning});
   EXPECT_THAT(shown(), HasSubstr("power was cut"));
   EXPECT_THAT(shown(), Not(HasSubstr("round failed")));
-  lines.set_view({.words = "ANSWER"});
-  EXPECT_THAT(shown(), HasSubstr("no answer"));
+  lines.set_view({.words = "REPLY"});
+  EXPECT_THAT(shown(), HasSubstr("no reply"));
   EXPECT_EQ(lines.count(), 1u);
   lines.set_view({.words = "vxm"});
   EXPECT_THAT(shown(), HasSubstr("round failed")) << "the subject counts too";

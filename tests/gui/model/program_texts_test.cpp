@@ -103,7 +103,7 @@ TEST_F(ProgramTextsTest, LiveLineFollowsEditsAboveAndBelow) {
   EXPECT_EQ(texts.live_line(0, -1), -1);
 }
 
-TEST_F(ProgramTextsTest, NoLineIsNamedOfWhatSomebodyElseHasChanged) {
+TEST_F(ProgramTextsTest, NoLineIsNamedOfAProgramChangedElsewhere) {
   texts.set_text(0, "S1\nL0");
   texts.loaded(0, texts.text(0), Instant());
   ASSERT_EQ(texts.live_line(0, 1), 1);
@@ -127,7 +127,6 @@ TEST_F(ProgramTextsTest, WhatRanWhenTheWireWasLostIsStillFollowedUntilItEnds) {
 
 TEST_F(ProgramTextsTest, HeadingsFillOtherSlotsToo) {
   texts.set_text(0, "I1\nPM-1\nL0,L1");
-  EXPECT_TRUE(texts.has_headings(0));
   texts.loaded(0, texts.text(0), Instant());
   EXPECT_THAT(texts.held(1).listing, ElementsAre("L0", "L1"));
   EXPECT_TRUE(texts.controller_has(0));

@@ -42,27 +42,27 @@ TEST(Rehearsals, ReportThatTheyDoNotBeginWhereTheAxesStand) {
   bench.present = true;
   rehearsals.start(language, "I1", {}, {now, {}}, bench, catalog, worker);
   worker.deliver();
-  const auto stand = [&] {
+  const auto start = [&] {
     rehearsals.follow(now, bench, catalog);
-    return rehearsals.of(0)->stand;
+    return rehearsals.of(0)->start;
   };
-  EXPECT_EQ(stand().footing, Footing::here);
+  EXPECT_EQ(start().match, StartMatch::here);
   now.axes[1].position = Steps(400);
-  EXPECT_EQ(stand(), (Stand{Footing::elsewhere, 1, Steps(0), Steps(400)}));
+  EXPECT_EQ(start(), (StartDifference{StartMatch::elsewhere, 1, Steps(0), Steps(400)}));
   now.axes[0].activity = Activity::moving;
-  EXPECT_EQ(stand().footing, Footing::moving);
+  EXPECT_EQ(start().match, StartMatch::moving);
   now.axes[0].activity = Activity::idle, now.axes[1].position = Steps(0);
   bench.switches[0].plus = Steps(100);
-  EXPECT_EQ(stand().footing, Footing::other_bench);
+  EXPECT_EQ(start().match, StartMatch::other_bench);
   bench.switches[0].plus.reset();
   now.axes[0].position_known = false;
-  EXPECT_EQ(stand().footing, Footing::unknown);
+  EXPECT_EQ(start().match, StartMatch::unknown);
   now.axes[0].position_known = true;
-  EXPECT_EQ(stand().footing, Footing::here);
+  EXPECT_EQ(start().match, StartMatch::here);
   now.program.owned = true, now.program.run = RunState::running, now.axes[0].position = Steps(7);
-  EXPECT_EQ(stand().footing, Footing::here) << "it is on its way, and began there";
+  EXPECT_EQ(start().match, StartMatch::here) << "it is on its way, and began there";
   now.program.run = RunState::idle;
-  EXPECT_EQ(stand().footing, Footing::elsewhere);
+  EXPECT_EQ(start().match, StartMatch::elsewhere);
 }
 
 // What has changed is told by its kind and its place, whatever it is of all that the rehearsal began from.
@@ -90,48 +90,53 @@ TEST(Rehearsals, ReportWhatHasChangedOfTheWholeController) {
   std::string other_program = "I1M5";
   rehearsals.start(language, "I1", {}, {now, {{0, "old"}, {2, "I1M5"}}}, {}, catalog, worker);
   worker.deliver();
-  const auto stand = [&] {
+  const auto start = [&] {
     rehearsals.follow(now, {}, catalog, [&](int slot) { return slot == 1 ? nullptr : &other_program; });
-    return rehearsals.of(0)->stand;
+    return rehearsals.of(0)->start;
   };
-  EXPECT_EQ(stand(), Stand());
+  EXPECT_EQ(start(), StartDifference());
   const auto reported = [&](auto change) {
     const Snapshot before = now;
     change();
-    const Stand stood = stand();
+    const StartDifference stood = start();
     now = before;
     other_program = "I1M5";
-    EXPECT_EQ(stand(), Stand()) << "as before";
+    EXPECT_EQ(start(), StartDifference()) << "as before";
     return stood;
   };
-  EXPECT_EQ(reported([&] { now.params[1].value = 8; }), (Stand{Footing::other_setup, 1, Steps(7), Steps(8)}));
+  EXPECT_EQ(reported([&] { now.params[1].value = 8; }),
+            (StartDifference{StartMatch::other_setup, 1, Steps(7), Steps(8)}));
   EXPECT_EQ(reported([&] { now.params[2].known = true, now.params[2].value = 41; }),
-            (Stand{Footing::other_setup, 2, Steps(40), Steps(41)}))
+            (StartDifference{StartMatch::other_setup, 2, Steps(40), Steps(41)}))
       << "it was taken to be 40";
-  EXPECT_EQ(reported([&] { now.params[2].known = true, now.params[2].value = 40; }), Stand());
-  EXPECT_EQ(reported([&] { now.outputs = 4; }), (Stand{Footing::other_output, 2, Steps(0), Steps(1)}));
-  EXPECT_EQ(reported([&] { now.inputs = 8; }), (Stand{Footing::other_input, 3, Steps(0), Steps(1)}));
+  EXPECT_EQ(reported([&] { now.params[2].known = true, now.params[2].value = 40; }), StartDifference());
+  EXPECT_EQ(reported([&] { now.outputs = 4; }),
+            (StartDifference{StartMatch::other_output, 2, Steps(0), Steps(1)}));
+  EXPECT_EQ(reported([&] { now.inputs = 8; }),
+            (StartDifference{StartMatch::other_input, 3, Steps(0), Steps(1)}));
   EXPECT_EQ(reported([&] { now.variables[5] = -9; }),
-            (Stand{Footing::other_variable, 5, Steps(0), Steps(-9)}));
-  EXPECT_EQ(reported([&] { now.axes[0].enabled = false; }).footing, Footing::other_power);
-  EXPECT_EQ(reported([&] { now.axes[0].error = AxisError::limit_plus; }).footing, Footing::other_power);
-  EXPECT_EQ(reported([&] { now.axes[0].alarm = true; }).footing, Footing::other_power);
-  EXPECT_EQ(reported([&] { now.axes[0].encoder = Steps(9); }).footing, Footing::other_encoder);
-  EXPECT_EQ(reported([&] { now.axes[0].encoder = Steps(1); }), Stand()) << "it only trembles";
-  EXPECT_EQ(reported([&] { now.axes[0].limit_plus = true; }).footing, Footing::other_switch);
+            (StartDifference{StartMatch::other_variable, 5, Steps(0), Steps(-9)}));
+  EXPECT_EQ(reported([&] { now.axes[0].enabled = false; }).match, StartMatch::other_power);
+  EXPECT_EQ(reported([&] { now.axes[0].error = AxisError::limit_plus; }).match, StartMatch::other_power);
+  EXPECT_EQ(reported([&] { now.axes[0].alarm = true; }).match, StartMatch::other_power);
+  EXPECT_EQ(reported([&] { now.axes[0].encoder = Steps(9); }).match, StartMatch::other_encoder);
+  EXPECT_EQ(reported([&] { now.axes[0].encoder = Steps(1); }), StartDifference()) << "it only trembles";
+  EXPECT_EQ(reported([&] { now.axes[0].limit_plus = true; }).match, StartMatch::other_switch);
   EXPECT_EQ(reported([&] { now.axes[0].limits_known = false; }),
-            (Stand{Footing::other_switch, 0, {}, {}, true}));
+            (StartDifference{StartMatch::other_switch, 0, {}, {}, true}));
   EXPECT_EQ(reported([&] { now.analog[1] = 100; }),
-            (Stand{Footing::other_analog, 1, Steps(900), Steps(100)}));
-  EXPECT_EQ(reported([&] { now.analog[1] = 930; }), Stand()) << "it only trembles";
-  EXPECT_EQ(reported([&] { now.readouts[2] = 1; }), (Stand{Footing::other_readout, 2, Steps(0), Steps(1)}));
+            (StartDifference{StartMatch::other_analog, 1, Steps(900), Steps(100)}));
+  EXPECT_EQ(reported([&] { now.analog[1] = 930; }), StartDifference()) << "it only trembles";
+  EXPECT_EQ(reported([&] { now.readouts[2] = 1; }),
+            (StartDifference{StartMatch::other_readout, 2, Steps(0), Steps(1)}));
   EXPECT_EQ(reported([&] { now.readouts_known.set(3), now.readouts[3] = 2; }),
-            (Stand{Footing::other_readout, 3, Steps(0), Steps(2)}))
+            (StartDifference{StartMatch::other_readout, 3, Steps(0), Steps(2)}))
       << "it was taken to be off";
-  EXPECT_EQ(reported([&] { now.readouts[0] = 1; }), Stand()) << "no rehearsal begins from it";
-  EXPECT_EQ(reported([&] { other_program = "I1M6"; }), (Stand{Footing::other_program, 2, {}, {}}));
+  EXPECT_EQ(reported([&] { now.readouts[0] = 1; }), StartDifference()) << "no rehearsal begins from it";
+  EXPECT_EQ(reported([&] { other_program = "I1M6"; }),
+            (StartDifference{StartMatch::other_program, 2, {}, {}}));
   EXPECT_EQ(reported([&] { now.inputs_known = 0, now.inputs = 1; }),
-            (Stand{Footing::other_input, 0, Steps(0), {}, true}));
+            (StartDifference{StartMatch::other_input, 0, Steps(0), {}, true}));
 }
 
 // What is not compared afterwards does not come into a rehearsal at all.
@@ -185,28 +190,28 @@ struct Cloned : ::testing::TestWithParam<std::string> {
   }
   static std::uint32_t bits(std::size_t n) { return static_cast<std::uint32_t>((1ull << n) - 1); }
 
-  Stand stand() {
+  StartDifference start() {
     rehearsals.follow(now, {}, catalog, [this](int slot) {
       if (catalog.program.threads > 0 || slot == 0) return &no_program;
       return knows_programs ? &other_program : nullptr;
     });
-    return rehearsals.of(0)->stand;
+    return rehearsals.of(0)->start;
   }
   /// How the rehearsal compares while `change` holds; afterwards, everything is as before.
   template <class Change>
-  Stand after(Change change) {
+  StartDifference after(Change change) {
     const Snapshot before = now;
     const std::string program_before = other_program;
     change();
-    const Stand stood = stand();
+    const StartDifference stood = start();
     now = before, other_program = program_before, knows_programs = true;
-    EXPECT_EQ(stand(), Stand()) << "as before";
+    EXPECT_EQ(start(), StartDifference()) << "as before";
     return stood;
   }
-  static void expect(const Stand& stand, Footing footing, std::size_t which, bool unread = false) {
-    EXPECT_EQ(stand.footing, footing) << which;
-    EXPECT_EQ(stand.which, static_cast<int>(which));
-    EXPECT_EQ(stand.unread, unread) << which;
+  static void expect(const StartDifference& start, StartMatch match, std::size_t which, bool unread = false) {
+    EXPECT_EQ(start.match, match) << which;
+    EXPECT_EQ(start.which, static_cast<int>(which));
+    EXPECT_EQ(start.unread, unread) << which;
   }
 
   const DeviceType& type = *find_device_type(GetParam());
@@ -221,76 +226,76 @@ struct Cloned : ::testing::TestWithParam<std::string> {
 TEST_P(Cloned, HoldsWhileNothingChanges) {
   const auto& result = rehearsals.of(0)->result;
   ASSERT_TRUE(result) << result.error().sentence();
-  EXPECT_EQ(stand(), Stand());
+  EXPECT_EQ(start(), StartDifference());
 }
 
 TEST_P(Cloned, EachAxisAges) {
   for (std::size_t i = 0; i < catalog.axes.size(); ++i) {
     AxisState& axis = now.axes[i];
-    expect(after([&] { axis.position = axis.command = Steps(5); }), Footing::elsewhere, i);
-    expect(after([&] { axis.position_known = false; }), Footing::unknown, i);
-    expect(after([&] { axis.in_counts = true; }), Footing::other_count, i);
-    expect(after([&] { axis.activity = Activity::moving; }), Footing::moving, i);
-    expect(after([&] { axis.enabled = !axis.enabled; }), Footing::other_power, i);
-    expect(after([&] { axis.error = AxisError::limit; }), Footing::other_power, i);
-    expect(after([&] { axis.alarm = true; }), Footing::other_power, i);
-    expect(after([&] { axis.limit_plus = true; }), Footing::other_switch, i);
-    expect(after([&] { axis.home = true; }), Footing::other_switch, i);
-    expect(after([&] { axis.limits_known = false; }), Footing::other_switch, i, true);
+    expect(after([&] { axis.position = axis.command = Steps(5); }), StartMatch::elsewhere, i);
+    expect(after([&] { axis.position_known = false; }), StartMatch::unknown, i);
+    expect(after([&] { axis.in_counts = true; }), StartMatch::other_count, i);
+    expect(after([&] { axis.activity = Activity::moving; }), StartMatch::moving, i);
+    expect(after([&] { axis.enabled = !axis.enabled; }), StartMatch::other_power, i);
+    expect(after([&] { axis.error = AxisError::limit; }), StartMatch::other_power, i);
+    expect(after([&] { axis.alarm = true; }), StartMatch::other_power, i);
+    expect(after([&] { axis.limit_plus = true; }), StartMatch::other_switch, i);
+    expect(after([&] { axis.home = true; }), StartMatch::other_switch, i);
+    expect(after([&] { axis.limits_known = false; }), StartMatch::other_switch, i, true);
     if (axis.loop == Loop::none) {
-      expect(after([&] { axis.encoder = Steps(9); }), Footing::other_encoder, i);
+      expect(after([&] { axis.encoder = Steps(9); }), StartMatch::other_encoder, i);
     } else {
-      expect(after([&] { axis.loop = Loop::open; }), Footing::other_power, i);
-      expect(after([&] { axis.loop = Loop::unknown; }), Footing::other_power, i, true);
+      expect(after([&] { axis.loop = Loop::open; }), StartMatch::other_power, i);
+      expect(after([&] { axis.loop = Loop::unknown; }), StartMatch::other_power, i, true);
     }
   }
 }
 
 TEST_P(Cloned, EachParameterAges) {
   for (std::size_t i = 0; i < catalog.params.size(); ++i) {
-    expect(after([&] { ++now.params[i].value; }), Footing::other_setup, i);
-    expect(after([&] { now.params[i].known = false; }), Footing::other_setup, i, true);
+    expect(after([&] { ++now.params[i].value; }), StartMatch::other_setup, i);
+    expect(after([&] { now.params[i].known = false; }), StartMatch::other_setup, i, true);
   }
 }
 
 TEST_P(Cloned, EachInputAndOutputAges) {
   for (std::size_t i = 0; i < catalog.inputs.size(); ++i) {
-    expect(after([&] { now.inputs ^= 1u << i; }), Footing::other_input, i);
-    expect(after([&] { now.inputs_known &= ~(1u << i); }), Footing::other_input, i, true);
+    expect(after([&] { now.inputs ^= 1u << i; }), StartMatch::other_input, i);
+    expect(after([&] { now.inputs_known &= ~(1u << i); }), StartMatch::other_input, i, true);
   }
   for (std::size_t i = 0; i < catalog.outputs.size(); ++i) {
-    expect(after([&] { now.outputs ^= 1u << i; }), Footing::other_output, i);
-    expect(after([&] { now.outputs_known &= ~(1u << i); }), Footing::other_output, i, true);
+    expect(after([&] { now.outputs ^= 1u << i; }), StartMatch::other_output, i);
+    expect(after([&] { now.outputs_known &= ~(1u << i); }), StartMatch::other_output, i, true);
   }
   for (std::size_t i = 0; i < catalog.analog.size(); ++i) {
-    expect(after([&] { now.analog[i] = catalog.analog[i].maximum; }), Footing::other_analog, i);
-    expect(after([&] { now.analog_known &= ~(1u << i); }), Footing::other_analog, i, true);
+    expect(after([&] { now.analog[i] = catalog.analog[i].maximum; }), StartMatch::other_analog, i);
+    expect(after([&] { now.analog_known &= ~(1u << i); }), StartMatch::other_analog, i, true);
   }
 }
 
 TEST_P(Cloned, EachModeAndVariableAges) {
   for (std::size_t i = 0; i < catalog.readouts.size(); ++i) {
     if (!acts_on_programs(catalog.readouts[i])) continue;
-    expect(after([&] { now.readouts[i] = 1; }), Footing::other_readout, i);
-    expect(after([&] { now.readouts_known.reset(i); }), Footing::other_readout, i, true);
+    expect(after([&] { now.readouts[i] = 1; }), StartMatch::other_readout, i);
+    expect(after([&] { now.readouts_known.reset(i); }), StartMatch::other_readout, i, true);
   }
   for (std::size_t n = 0; n < static_cast<std::size_t>(catalog.variables.count); ++n) {
-    expect(after([&] { now.variables[n] = -7; }), Footing::other_variable, n);
-    expect(after([&] { now.variables_known.reset(n); }), Footing::other_variable, n, true);
+    expect(after([&] { now.variables[n] = -7; }), StartMatch::other_variable, n);
+    expect(after([&] { now.variables_known.reset(n); }), StartMatch::other_variable, n, true);
   }
 }
 
 TEST_P(Cloned, EachProgramAndQueueAges) {
   if (catalog.program.slots > 1) {
-    expect(after([&] { other_program = "I1M6"; }), Footing::other_program, 1);
-    expect(after([&] { knows_programs = false; }), Footing::other_program, 1, true);
-    expect(after([&] { now.slot_bytes_used[1] = 4; }), Footing::other_program, 1);
+    expect(after([&] { other_program = "I1M6"; }), StartMatch::other_program, 1);
+    expect(after([&] { knows_programs = false; }), StartMatch::other_program, 1, true);
+    expect(after([&] { now.slot_bytes_used[1] = 4; }), StartMatch::other_program, 1);
   }
-  EXPECT_EQ(after([&] { now.feed.running = true; }).footing, Footing::other_queue);
+  EXPECT_EQ(after([&] { now.feed.running = true; }).match, StartMatch::other_queue);
   for (std::size_t i = 0; catalog.queue_depth > 0 && i < catalog.axes.size(); ++i)
-    EXPECT_EQ(after([&] { --now.queue_free[i]; }).footing, Footing::other_queue);
+    EXPECT_EQ(after([&] { --now.queue_free[i]; }).match, StartMatch::other_queue);
   if (catalog.queue_depth > 0) {
-    EXPECT_EQ(after([&] { now.working = true; }).footing, Footing::other_queue);
+    EXPECT_EQ(after([&] { now.working = true; }).match, StartMatch::other_queue);
   }
 }
 
@@ -318,13 +323,13 @@ TEST(Rehearsals, AreNotAgedByTheProgramsOfTheirOwnText) {
   rehearsals.start(language, "I1\nPM-1\nI2", {}, from, {}, catalog, worker);
   worker.deliver();
   const std::string then = "I1M5", now = "I2";
-  const auto stand = [&](const std::string* first, const std::string* second) {
+  const auto start = [&](const std::string* first, const std::string* second) {
     rehearsals.follow({}, {}, catalog, [&](int slot) { return slot == 1 ? first : second; });
-    return rehearsals.of(0)->stand;
+    return rehearsals.of(0)->start;
   };
-  EXPECT_EQ(stand(&then, &then), Stand());
-  EXPECT_EQ(stand(&now, &then), Stand()) << "the text was loaded";
-  EXPECT_EQ(stand(&now, &now), (Stand{Footing::other_program, 2, {}, {}}));
+  EXPECT_EQ(start(&then, &then), StartDifference());
+  EXPECT_EQ(start(&now, &then), StartDifference()) << "the text was loaded";
+  EXPECT_EQ(start(&now, &now), (StartDifference{StartMatch::other_program, 2, {}, {}}));
 }
 
 }  // namespace

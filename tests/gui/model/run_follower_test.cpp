@@ -142,7 +142,7 @@ TEST_F(RunFollowerTest, AReportOfTheControllerCorrectsIt) {
   EXPECT_NEAR(follower.run_s(), 2.0, 1e-6);
 }
 
-TEST_F(RunFollowerTest, AProgramThatSomebodyChangesIsNotFollowed) {
+TEST_F(RunFollowerTest, AProgramChangedByAnotherIsNotFollowed) {
   ASSERT_EQ(when(11.5).command, 1);
   texts.doubt();
   EXPECT_EQ(when(11.6).command, 1) << "the wire was lost, the run goes on";

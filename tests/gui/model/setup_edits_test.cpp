@@ -38,10 +38,10 @@ TEST_F(SetupEditsTest, OutOfRangeIsRefusedInWordsAndChangesNothing) {
   ASSERT_TRUE(edits.set(1, 100));
   std::string why;
   EXPECT_FALSE(edits.set(1, 9000, &why));
-  EXPECT_EQ(why, "j1M takes 1 to 6000. 9000 was not taken.");
+  EXPECT_EQ(why, "j1M takes 1 to 6000. 9000 was not accepted.");
   EXPECT_EQ(edits.edited(1), 100);
   EXPECT_FALSE(edits.set(0, 5, &why));
-  EXPECT_EQ(why, "M1M takes 0, 1, 2. 5 was not taken.");
+  EXPECT_EQ(why, "M1M takes 0, 1, 2. 5 was not accepted.");
 }
 
 TEST_F(SetupEditsTest, ChangedAgainstTheControllerOffAgainstTheFactory) {

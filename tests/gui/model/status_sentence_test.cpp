@@ -29,6 +29,7 @@ class StatusSentenceTest : public testing::Test {
     type.axis = 0;
     type.before_moving = "No motor is chosen for motor 1, so it must not move. Choose it in Setup.";
     catalog.params.push_back(type);
+    catalog.program.slots = 1;
     now.axis_count = 2;
     now.link.state = LinkState::good;
     now.poll_period = Millis(200);
@@ -53,6 +54,11 @@ TEST_F(StatusSentenceTest, Idle) {
   EXPECT_EQ(sentence().severity, Severity::plain);
 }
 
+TEST_F(StatusSentenceTest, WithoutProgramsItOffersNone) {
+  catalog.program.slots = 0;
+  EXPECT_EQ(sentence().text, "Idle. Hold a jog button or type where to go.");
+}
+
 TEST_F(StatusSentenceTest, BetweenTwoMotionsOfADrawingItIsNotIdle) {
   now.pieces.running = true;
   now.pieces.done = 12;
@@ -60,7 +66,7 @@ TEST_F(StatusSentenceTest, BetweenTwoMotionsOfADrawingItIsNotIdle) {
   EXPECT_EQ(sentence().text, "Piece 13 of 800 is under way. Esc stops everything.");
   EXPECT_EQ(sentence().severity, Severity::motion);
   now.pieces.held = true;
-  EXPECT_EQ(sentence().text, "Held at piece 13 of 800. Go on, or stop it.");
+  EXPECT_EQ(sentence().text, "Held at piece 13 of 800. Resume or stop it.");
 }
 
 TEST_F(StatusSentenceTest, TheWorstThingComesFirstWhateverMoves) {
@@ -72,7 +78,7 @@ TEST_F(StatusSentenceTest, TheWorstThingComesFirstWhateverMoves) {
     EXPECT_NE(sentence().text.view().find(moves), std::string::npos) << sentence().text.view();
   };
   now.axes[1].limit_plus = true;
-  expect_first("Motor 2 stands on its + limit. ");
+  expect_first("Motor 2 is on its + limit. ");
   now.axes[1].loop = Loop::open;
   expect_first("The loop of motor 2 is open");
   now.axes[1].slipped = true;
@@ -100,7 +106,7 @@ TEST_F(StatusSentenceTest, AnAxisThatIsBeingHomedOrLeavesItsLimitIsNotAdvisedToD
 TEST_F(StatusSentenceTest, ASlipIsReported) {
   now.axes[1].slipped = true;
   EXPECT_EQ(sentence().severity, Severity::warn);
-  EXPECT_EQ(sentence().text.view().find("Motor 2 has slipped: its encoder was farther off than allowed."),
+  EXPECT_EQ(sentence().text.view().find("Motor 2 has slipped: its position error was larger than allowed."),
             0u);
   EXPECT_EQ(state_of(now, 1, clock), State::slipped);
   EXPECT_EQ(worst_state(now, clock), State::slipped) << "its tab says so too";
@@ -160,7 +166,7 @@ TEST_F(StatusSentenceTest, AProgramInErrorIsReportedWhileOthersRun) {
             (StatusSentence{Severity::fault, failed + " Run starts it again, Stop clears the error."}));
   now.program.owned = true;
   now.program.run = RunState::running;
-  run.who = "Programs 0, 1 are";
+  run.subject = "Programs 0, 1 are";
   constexpr std::string_view programs = "Programs 0, 1 are running. Esc stops everything.";
   EXPECT_EQ(sentence(),
             (StatusSentence{Severity::fault, failed + " " + std::string(programs), programs.size()}));
@@ -208,7 +214,7 @@ TEST_F(StatusSentenceTest, AProgramInErrorDoesNotHideThatTheAnswersAreLate) {
   constexpr std::string_view moves = "Motor 1 moves. Esc stops everything.";
   EXPECT_EQ(sentence(),
             (StatusSentence{Severity::fault,
-                            "Two answers late: 2 questions missed. Program 2 stopped with an error. "
+                            "Two answers late: 2 queries missed. Program 2 stopped with an error. "
                             "Motor 1 moves. Esc stops everything.",
                             moves.size()}));
 }
@@ -263,14 +269,14 @@ TEST_F(StatusSentenceTest, SeveralProgramsAreNamed) {
   now.program.owned = true;
   now.program.slot = 0;
   now.program.run = RunState::running;
-  run.who = "Programs 0, 2 are";
+  run.subject = "Programs 0, 2 are";
   EXPECT_EQ(sentence().text, "Programs 0, 2 are running. Esc stops everything.");
 }
 
 TEST_F(StatusSentenceTest, LateOrNotUnderstood) {
   now.link.state = LinkState::late;
   now.link.misses_in_a_row = 2;
-  EXPECT_EQ(sentence().text, "Two answers late: 2 questions missed.");
+  EXPECT_EQ(sentence().text, "Two answers late: 2 queries missed.");
   now.link.misses_in_a_row = 0;
   now.link.sentence = "Two devices have one address.";
   EXPECT_EQ(sentence().text, "Two is not understood. Two devices have one address.");
@@ -283,7 +289,7 @@ TEST_F(StatusSentenceTest, Held) {
   now.axes[0].speed = Pps(2000);
   held = JogHold::Control{JogHold::Source::mouse, AxisId{0}, Sign::plus};
   EXPECT_EQ(sentence().text,
-            "You hold 1+. Motor 1 moves at 2000 steps/s until you let go. Esc stops everything.");
+            "You hold 1+. Motor 1 moves at 2000 steps/s until you release it. Esc stops everything.");
 }
 
 TEST_F(StatusSentenceTest, LostIsTheWorstAndNamesTheWayOut) {
@@ -305,8 +311,7 @@ TEST_F(StatusSentenceTest, AnErrorOfTheControllerIsShownAsTheDriverReportsIt) {
 
 TEST_F(StatusSentenceTest, LimitShowsWhereItCanGo) {
   now.axes[1].limit_plus = true;
-  EXPECT_EQ(sentence(),
-            (StatusSentence{Severity::warn, "Motor 2 stands on its + limit. It can only move −."}));
+  EXPECT_EQ(sentence(), (StatusSentence{Severity::warn, "Motor 2 is on its + limit. It can only move −."}));
   now.axes[1].limit_minus = true;
   EXPECT_EQ(sentence().text,
             "Both limits of motor 2 are active, so it cannot move. Check its switches and their cable.");
@@ -339,7 +344,7 @@ TEST_F(StatusSentenceTest, WhatIsNotStoredIsReportedByItsMarkOnly) {
   EXPECT_EQ(sentence().text, "Idle. Hold a jog button, type where to go, or run a program.");
 }
 
-TEST_F(StatusSentenceTest, NobodyIsAdvisedToJogMotorsWithoutPower) {
+TEST_F(StatusSentenceTest, JoggingIsNotAdvisedWithoutMotorPower) {
   for (int i = 0; i < 2; ++i) {
     catalog.axes[static_cast<std::size_t>(i)].switchable = true;
     now.axes[i].enabled = false;

@@ -66,7 +66,7 @@ TEST(StopTimes, IfTheControllerReportsItSlowingDownIsAFigureOfItsOwn) {
       "on.");
 }
 
-TEST(StopTimes, WhatNobodyHasTimedIsNoneOfThem) {
+TEST(StopTimes, AnUntimedStopIsLeftOut) {
   StopTimes times;
   Ending untimed = stop(0, Millis(84), 680);
   untimed.timed = false;

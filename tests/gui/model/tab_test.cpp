@@ -40,8 +40,8 @@ class TabTest : public testing::Test {
 
 TEST_F(TabTest, EveryStopEndsWhatIsBeingPrepared) {
   const auto begin = [this] {
-    tab.desk().job.begin(ProgramJob::Goal::clear, 0, tab.desk().texts, now, tab.catalog(),
-                         [this](IntentBody body) { return tab.send(std::move(body)); });
+    tab.desk().programs.job.begin(ProgramJob::Goal::clear, 0, tab.desk().programs.texts, now, tab.catalog(),
+                                  [this](IntentBody body) { return tab.send(std::move(body)); });
     return tab.desk().until_stopped();
   };
   std::weak_ptr<void> go_ahead = begin();
@@ -57,35 +57,35 @@ TEST_F(TabTest, EveryStopEndsWhatIsBeingPrepared) {
 }
 
 TEST_F(TabTest, UnitsComeFromTheProfile) {
-  EXPECT_EQ(tab.unit(AxisId{0}).name, "steps");
-  tab.profile.unit = "real";
-  tab.profile.axes[1].unit_choice = "screw";
-  tab.profile_edited();
-  EXPECT_EQ(tab.unit(AxisId{0}).name, "steps") << "an axis without a conversion stays in steps";
-  EXPECT_EQ(tab.unit(AxisId{1}).name, "mm");
-  tab.profile.unit = "steps";
-  tab.profile_edited();
-  EXPECT_FALSE(tab.unit(AxisId{1}).real);
-  EXPECT_TRUE(tab.profile_changed);
+  EXPECT_EQ(tab.settings.unit(AxisId{0}).name, "steps");
+  tab.settings.profile.unit = "real";
+  tab.settings.profile.axes[1].unit_choice = "screw";
+  tab.settings.edited();
+  EXPECT_EQ(tab.settings.unit(AxisId{0}).name, "steps") << "an axis without a conversion stays in steps";
+  EXPECT_EQ(tab.settings.unit(AxisId{1}).name, "mm");
+  tab.settings.profile.unit = "steps";
+  tab.settings.edited();
+  EXPECT_FALSE(tab.settings.unit(AxisId{1}).real);
+  EXPECT_TRUE(tab.settings.changed);
 }
 
 TEST_F(TabTest, NamesComeFromTheProfileElseFromTheCatalog) {
   EXPECT_EQ(tab.name(), "Two");
-  tab.profile.name = "Stage";
+  tab.settings.profile.name = "Stage";
   EXPECT_EQ(tab.name(), "Stage");
 }
 
-TEST_F(TabTest, ARefusalThatNobodyWatchesBecomesAComplaint) {
+TEST_F(TabTest, AnUnwatchedRefusalBecomesAComplaint) {
   const IntentId id = tab.send_followed(intent::Home(AxisId{0}, Sign::minus));
   show();
-  EXPECT_TRUE(tab.complaints().empty());
+  EXPECT_TRUE(tab.messages.complaints().empty());
   now.outcomes[0].id = id;
   now.outcomes[0].state = IntentState::refused;
   now.outcomes[0].sentence = "Not now. Nothing was sent.";
   show();
   show();
-  ASSERT_EQ(tab.complaints().size(), 1u) << "once";
-  EXPECT_EQ(tab.complaints()[0], "Not now. Nothing was sent.");
+  ASSERT_EQ(tab.messages.complaints().size(), 1u) << "once";
+  EXPECT_EQ(tab.messages.complaints()[0], "Not now. Nothing was sent.");
 }
 
 TEST_F(TabTest, ATapRefusedAtALimitIsReportedByThePadElseByAComplaint) {
@@ -99,14 +99,14 @@ TEST_F(TabTest, ATapRefusedAtALimitIsReportedByThePadElseByAComplaint) {
     show();
   };
   refuse_a_tap();
-  EXPECT_EQ(tab.complaints().size(), 1u) << "no pad is drawn";
-  EXPECT_FALSE(tab.tap_past_limit);
-  tab.look_at_pad();
+  EXPECT_EQ(tab.messages.complaints().size(), 1u) << "no pad is drawn";
+  EXPECT_FALSE(tab.messages.tap_past_limit);
+  tab.messages.look_at_pad();
   refuse_a_tap();
-  EXPECT_EQ(tab.complaints().size(), 1u);
-  EXPECT_TRUE(tab.tap_past_limit);
+  EXPECT_EQ(tab.messages.complaints().size(), 1u);
+  EXPECT_TRUE(tab.messages.tap_past_limit);
   refuse_a_tap();
-  EXPECT_EQ(tab.complaints().size(), 2u) << "it was drawn in an earlier frame only";
+  EXPECT_EQ(tab.messages.complaints().size(), 2u) << "it was drawn in an earlier frame only";
 }
 
 TEST_F(TabTest, ARefusedJogIsNotHeldOn) {

@@ -40,12 +40,11 @@ TEST_F(WorkerTest, AShortJobDoesNotWaitForALongOne) {
   worker.run_short([] { return true; }, [&](bool value) { is_short_done = value; }, alive);
   deliver_until(is_short_done);
   EXPECT_EQ(of_long, 0) << "the long one is still at it";
-  EXPECT_FALSE(worker.idle());
   end.set_value(7);
   worker.finish();
   worker.deliver();
   EXPECT_EQ(of_long, 7);
-  EXPECT_TRUE(worker.idle());
+  EXPECT_FALSE(worker.deliver()) << "nothing is left";
 }
 
 TEST_F(WorkerTest, ShortJobsKeepTheirOrder) {

@@ -1,5 +1,5 @@
 #pragma once
-// The events of the controller, newest first: ends of motions and programs, losses, messages.
+// Shows the events of the controller, newest first: ends of motions and programs, losses, messages.
 #include <cstdint>
 #include <string>
 
@@ -9,7 +9,7 @@
 
 namespace hw::panels {
 
-class Happened {
+class EventView {
  public:
   /// Fills the remaining width and `height` pixels.
   void draw(gui::Frame& frame, float height);

@@ -1,5 +1,5 @@
 // A press that starts motion counts only on a button that has stood still.
-#include "gui/input/standing.h"
+#include "gui/input/press_guard.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace hw::gui {
 namespace {
 
 /// A moving button, a plain one and a jog button in one line, where the test wants them.
-class StandingTest : public testing::Test {
+class PressGuardTest : public testing::Test {
  protected:
   ImVec2 at{100, 100};
   std::string_view off;
@@ -71,15 +71,15 @@ class StandingTest : public testing::Test {
     EXPECT_EQ(gone, 1);
     EXPECT_FALSE(shows_not_taken("go"));
   }
-  [[nodiscard]] bool shows_not_taken(const char* id) { return stage.find(id)->not_taken; }
+  [[nodiscard]] bool shows_not_taken(const char* id) { return stage.find(id)->press_ignored; }
 };
 
-TEST_F(StandingTest, WhatHasOnlyJustAppearedTakesNoPress) {
+TEST_F(PressGuardTest, WhatHasOnlyJustAppearedTakesNoPress) {
   wait(0.1);
   go_is_not_taken_before_it_has_stood();
 }
 
-TEST_F(StandingTest, WhatHasMovedUnderTheHandTakesNoPress) {
+TEST_F(PressGuardTest, WhatHasMovedUnderTheHandTakesNoPress) {
   wait(1);
   at.y += 1;
   stage.frame();
@@ -88,7 +88,7 @@ TEST_F(StandingTest, WhatHasMovedUnderTheHandTakesNoPress) {
   EXPECT_TRUE(shows_not_taken("go"));
 }
 
-TEST_F(StandingTest, ItIsShownForAWhileOnly) {
+TEST_F(PressGuardTest, ItIsShownForAWhileOnly) {
   wait(0.1);
   click("go");
   wait(1.5);
@@ -97,7 +97,7 @@ TEST_F(StandingTest, ItIsShownForAWhileOnly) {
   EXPECT_FALSE(shows_not_taken("go"));
 }
 
-TEST_F(StandingTest, ThreeTenthsOfASecondAreEnough) {
+TEST_F(PressGuardTest, ThreeTenthsOfASecondAreEnough) {
   wait(1);
   at.x += 50;
   stage.frame();
@@ -106,7 +106,7 @@ TEST_F(StandingTest, ThreeTenthsOfASecondAreEnough) {
   EXPECT_EQ(gone, 1);
 }
 
-TEST_F(StandingTest, HoldingItDoesNotMakeItCountAndLettingGoNeither) {
+TEST_F(PressGuardTest, HoldingItDoesNotMakeItCountAndLettingGoNeither) {
   wait(0.1);
   press("jog");
   wait(1);
@@ -121,13 +121,13 @@ TEST_F(StandingTest, HoldingItDoesNotMakeItCountAndLettingGoNeither) {
   EXPECT_EQ(ended, 1);
 }
 
-TEST_F(StandingTest, WhatMovesNothingWaitsForNothing) {
+TEST_F(PressGuardTest, WhatMovesNothingWaitsForNothing) {
   stage.frames(2);
   click("plain");
   EXPECT_EQ(plain, 1);
 }
 
-TEST_F(StandingTest, ComingAliveIsAChange) {
+TEST_F(PressGuardTest, ComingAliveIsAChange) {
   off = "A program runs.";
   wait(1);
   off = {};
@@ -135,7 +135,7 @@ TEST_F(StandingTest, ComingAliveIsAChange) {
   go_is_not_taken_before_it_has_stood();
 }
 
-TEST_F(StandingTest, GoneForAFrameIsForgotten) {
+TEST_F(PressGuardTest, GoneForAFrameIsForgotten) {
   wait(1);
   shown = false;
   stage.frame();
@@ -145,7 +145,7 @@ TEST_F(StandingTest, GoneForAFrameIsForgotten) {
   EXPECT_EQ(gone, 0);
 }
 
-TEST_F(StandingTest, ScrollingMovesIt) {
+TEST_F(PressGuardTest, ScrollingMovesIt) {
   scrolled = 0;
   wait(1);
   scrolled = 60;
@@ -157,14 +157,14 @@ TEST_F(StandingTest, ScrollingMovesIt) {
   EXPECT_EQ(gone, 1);
 }
 
-TEST_F(StandingTest, AFramelessRestIsStandingStill) {
+TEST_F(PressGuardTest, AFramelessRestIsStandingStill) {
   wait(1);
   stage.now_s += 100;  // at rest nothing is drawn
   click("go");
   EXPECT_EQ(gone, 1);
 }
 
-TEST_F(StandingTest, ADialogThatStartsMotionWaitsAndWhatItCoveredToo) {
+TEST_F(PressGuardTest, ADialogThatStartsMotionWaitsAndWhatItCoveredToo) {
   wait(1);
   ask = true;
   stage.frames(3);
@@ -180,7 +180,7 @@ TEST_F(StandingTest, ADialogThatStartsMotionWaitsAndWhatItCoveredToo) {
   EXPECT_EQ(gone, 1);
 }
 
-TEST_F(StandingTest, TheKeyboardMeansItByName) {
+TEST_F(PressGuardTest, TheKeyboardMeansItByName) {
   stage.frames(2);
   ASSERT_TRUE(stage.hand.key("Tab").has_value());
   at.y += 40;
@@ -190,7 +190,7 @@ TEST_F(StandingTest, TheKeyboardMeansItByName) {
   EXPECT_EQ(gone, 1);
 }
 
-TEST_F(StandingTest, TheHandOfAScriptWaitsForWhatADialogHasJustUncovered) {
+TEST_F(PressGuardTest, TheHandOfAScriptWaitsForWhatADialogHasJustUncovered) {
   wait(1);
   ask = true;
   stage.frames(3);
@@ -200,7 +200,7 @@ TEST_F(StandingTest, TheHandOfAScriptWaitsForWhatADialogHasJustUncovered) {
   EXPECT_EQ(gone, 1);
 }
 
-TEST_F(StandingTest, TheHandOfAScriptWaitsByItself) {
+TEST_F(PressGuardTest, TheHandOfAScriptWaitsByItself) {
   stage.frames(2);
   ASSERT_TRUE(stage.hand.click("go").has_value());
   EXPECT_EQ(gone, 1);

@@ -1,4 +1,4 @@
-#include "panels/doubt_ways.h"
+#include "panels/doubt_remedies.h"
 
 #include <algorithm>
 #include <bit>
@@ -21,10 +21,10 @@ namespace {
 
 constexpr float field_label = 80, field_width = 144, bar_label = 20, bar_field = 108;
 
-/// In the units and the clock of the console.
+/// Words in the units and the clock of the console.
 DoubtWords words_shown(const Frame& f) {
   return {[&f](AxisId axis, Steps place) {
-            return std::string(format_with_unit(place, f.tab.unit(axis)).view());
+            return std::string(format_with_unit(place, f.tab.settings.unit(axis)).view());
           },
           [&f](Instant when) { return f.console.time_of_day(when); }};
 }
@@ -37,13 +37,13 @@ std::uint32_t still_doubtful(const Snapshot& now, std::uint32_t axes) {
 
 }  // namespace
 
-IntentId DoubtWays::send(Frame& f, IntentBody body) {
+IntentId DoubtRemedies::send(Frame& f, IntentBody body) {
   close();
   sent_ = body;
   return f.send_and_watch(std::move(body));
 }
 
-bool DoubtWays::take_refusal(const Frame& f, const IntentOutcome& outcome) {
+bool DoubtRemedies::take_refusal(const Frame& f, const IntentOutcome& outcome) {
   if (outcome.doubtful != 0 && sent_)
     describe(f, outcome.doubtful);
   else if (open())
@@ -51,12 +51,12 @@ bool DoubtWays::take_refusal(const Frame& f, const IntentOutcome& outcome) {
   return open();
 }
 
-bool DoubtWays::take_refusal(const Frame& f, IntentBody sent, const IntentOutcome& outcome) {
+bool DoubtRemedies::take_refusal(const Frame& f, IntentBody sent, const IntentOutcome& outcome) {
   if (outcome.doubtful != 0) sent_ = std::move(sent);
   return take_refusal(f, outcome);
 }
 
-void DoubtWays::describe(const Frame& f, std::uint32_t doubtful) {
+void DoubtRemedies::describe(const Frame& f, std::uint32_t doubtful) {
   doubtful_ = doubtful;
   axis_ = AxisId{static_cast<std::uint8_t>(std::countr_zero(doubtful))};
   words_ = describe_doubtful(f.catalog, f.now, *sent_, doubtful, words_shown(f));
@@ -65,12 +65,12 @@ void DoubtWays::describe(const Frame& f, std::uint32_t doubtful) {
   offered_ = 0;
 }
 
-void DoubtWays::name_ways(const Frame& f, std::string_view prefix) {
+void DoubtRemedies::name_remedies(const Frame& f, std::string_view prefix) {
   const std::string& name = f.catalog.axes[axis_.index].name;
   const auto path = [&](std::string_view way) { return fmt::format("{}/{}/{}", prefix, name, way); };
   refused_id_ = path("refused");
   field_id_ = path("stands_at");
-  const auto offer = [&](Way way, std::string_view id, std::string label, std::string brief) {
+  const auto offer = [&](Remedy way, std::string_view id, std::string label, std::string brief) {
     offers_[offered_++] = {way, path(id), std::move(label), std::move(brief)};
   };
   offer(set, "set", "Set", "Set");
@@ -80,12 +80,12 @@ void DoubtWays::name_ways(const Frame& f, std::string_view prefix) {
   offer(once, "once", "Go on this once", "Go on once");
 }
 
-IntentId DoubtWays::draw(Frame& f, std::string_view prefix, std::string_view about, const Rect& row,
-                         int mode) {
+IntentId DoubtRemedies::draw(Frame& f, std::string_view prefix, std::string_view about, const Rect& row,
+                             int mode) {
   const std::uint32_t left = still_doubtful(f.now, doubtful_);
   if (left == 0) return close(), IntentId{0};
   if (left != doubtful_) describe(f, left);
-  if (offered_ == 0) name_ways(f, prefix);
+  if (offered_ == 0) name_remedies(f, prefix);
   std::array<Action, 4> actions;
   for (std::size_t i = 0; i < offered_; ++i)
     actions[i] = {.id = offers_[i].id,
@@ -104,9 +104,9 @@ IntentId DoubtWays::draw(Frame& f, std::string_view prefix, std::string_view abo
   return touched.action < 0 ? 0 : go(f, offers_[static_cast<std::size_t>(touched.action)].way, mode);
 }
 
-/// "It stands at [      mm]": filled with the count until the user types.
-bool DoubtWays::draw_field(Frame& f) {
-  const DisplayUnit& unit = f.tab.unit(axis_);
+/// Draws "It stands at [      mm]"; the field holds the count until the user types.
+bool DoubtRemedies::draw_field(Frame& f) {
+  const DisplayUnit& unit = f.tab.settings.unit(axis_);
   const Steps counts = f.now.axes[axis_.index].position;
   if (field_.text == filled_ && counts != counted_) {
     field_.set(from_steps(counts, unit), unit.real ? unit.decimals : 0);
@@ -133,20 +133,20 @@ bool DoubtWays::draw_field(Frame& f) {
   return number_field(f.ui, field_id_, "It stands at", std::nullopt, field_, o).entered;
 }
 
-std::optional<Steps> DoubtWays::place(const Frame& f) const {
+std::optional<Steps> DoubtRemedies::place(const Frame& f) const {
   if (field_.text == filled_) return f.now.axes[axis_.index].position;
-  const auto typed = parse_position(field_.text, f.tab.unit(axis_));
+  const auto typed = parse_position(field_.text, f.tab.settings.unit(axis_));
   return typed ? std::optional(*typed) : std::nullopt;
 }
 
-std::string_view DoubtWays::why_not(const Frame& f, Way way) const {
+std::string_view DoubtRemedies::why_not(const Frame& f, Remedy way) const {
   if (way != set) return f.tab.why_not_move(axis_);
   if (!f.connected()) return f.no_link();
   if (f.now.axis_moves(axis_.index)) return "It moves.";
   return place(f) ? "" : "Type its position first.";
 }
 
-IntentId DoubtWays::go(Frame& f, Way way, int mode) {
+IntentId DoubtRemedies::go(Frame& f, Remedy way, int mode) {
   if (way == set) return f.send_and_watch(stands_at(f.now, axis_, *place(f)));
   close();
   if (way == once) {
@@ -154,7 +154,8 @@ IntentId DoubtWays::go(Frame& f, Way way, int mode) {
     return f.send_and_watch(*std::exchange(sent_, std::nullopt));
   }
   const Sign sign = way == home_plus ? Sign::plus : Sign::minus;
-  const int homing = homing_that_sets(f.catalog, mode, sign).value_or(0);  // it was offered
+  const int homing =
+      homing_that_sets(f.catalog, mode, sign).value_or(0);  // always present: homing was offered
   if (homing != mode && mode >= 0)
     f.toast(Severity::plain, fmt::format("Homing {}: the chosen mode does not set the count.",
                                          f.catalog.homing_modes[static_cast<std::size_t>(homing)].label));

@@ -1,4 +1,4 @@
-#include "panels/happened.h"
+#include "panels/event_view.h"
 
 #include <algorithm>
 #include <array>
@@ -16,39 +16,40 @@ namespace hw::panels {
 using namespace gui;
 namespace {
 
-constexpr float event_row = 24, event_time_x = 16, event_mark_x = 94, event_who_x = 112, event_words_x = 150;
+constexpr float event_row = 24, event_time_x = 16, event_mark_x = 94, event_subject_x = 112,
+                event_words_x = 150;
 
 struct MarkLook {
   Icon icon;
   Tone tone;
 };
 
-MarkLook look_of(const Happening& event) {
+MarkLook look_of(const LoggedEvent& event) {
   switch (event.mark) {
-    case Happening::Mark::reached: return {Icon::check, Tone::ok};
-    case Happening::Mark::homed: return {Icon::house, Tone::ok};
-    case Happening::Mark::stopped: return {Icon::stop, Tone::fault};
-    case Happening::Mark::limit: return {Icon::square_solid, Tone::warn};
-    case Happening::Mark::error: return {Icon::diamond_solid, Tone::fault};
-    case Happening::Mark::place_lost: return {Icon::diamond, Tone::warn};
-    case Happening::Mark::link: return {Icon::plug, event.bad ? Tone::fault : Tone::ok};
-    case Happening::Mark::message: break;
+    case LoggedEvent::Mark::reached: return {Icon::check, Tone::ok};
+    case LoggedEvent::Mark::homed: return {Icon::house, Tone::ok};
+    case LoggedEvent::Mark::stopped: return {Icon::stop, Tone::fault};
+    case LoggedEvent::Mark::limit: return {Icon::square_solid, Tone::warn};
+    case LoggedEvent::Mark::error: return {Icon::diamond_solid, Tone::fault};
+    case LoggedEvent::Mark::place_lost: return {Icon::diamond, Tone::warn};
+    case LoggedEvent::Mark::link: return {Icon::plug, event.bad ? Tone::fault : Tone::ok};
+    case LoggedEvent::Mark::message: break;
   }
   return event.bad ? MarkLook{Icon::warning, Tone::warn} : MarkLook{Icon::info, Tone::ink2};
 }
 
-void draw_event(Frame& f, const Happening& event, const Rect& place, float words_at) {
+void draw_event(Frame& f, const LoggedEvent& event, const Rect& place, float words_at) {
   Ui& ui = f.ui;
   const float middle = std::floor(place.centre().y);
   char buffer[16];
-  const auto time = format_time_of_day(f.tab.desk().traffic.clock().of(event.at), false, buffer);
+  const auto time = format_time_of_day(f.tab.desk().records.traffic.clock().of(event.at), false, buffer);
   draw_text(ui, ImVec2(place.min.x + ui.px(event_time_x), std::floor(middle - ui.line(Face::code_time) / 2)),
             Face::code_time, ui[Tone::ink3], time);
   const MarkLook mark = look_of(event);
   draw_icon(ImGui::GetWindowDrawList(), mark.icon, ImVec2(place.min.x + ui.px(event_mark_x), middle),
             ui.px(12), ui[mark.tone]);
-  draw_text_line(ui, place.min.x + ui.px(event_who_x), words_at - ui.px(8), middle, Face::body_bold,
-                 ui[Tone::ink], event.who);
+  draw_text_line(ui, place.min.x + ui.px(event_subject_x), words_at - ui.px(8), middle, Face::body_bold,
+                 ui[Tone::ink], event.subject);
   const NumberText took = duration_of(event);
   const float right = place.max.x - ui.px(16), took_width = std::ceil(text_width(ui, Face::small, took));
   draw_text_line(ui, words_at, right - took_width - ui.px(took_width > 0 ? 12 : 0), middle, Face::body,
@@ -56,17 +57,17 @@ void draw_event(Frame& f, const Happening& event, const Rect& place, float words
   draw_text_line(ui, right - took_width, right + 1, middle, Face::small, ui[Tone::ink2], took);
 }
 
-/// After the longest name shown, as far as there is room.
+/// Left of the words: after the longest name shown, if the width permits.
 float words_begin(const Ui& ui, const EventLog& log, float width) {
   float names = 0;
-  for (const Happening& event : log.list())
-    names = std::max(names, text_width(ui, Face::body_bold, event.who));
-  return std::min(std::max(ui.px(event_words_x), ui.px(event_who_x + 12) + std::ceil(names)), width / 2);
+  for (const LoggedEvent& event : log.list())
+    names = std::max(names, text_width(ui, Face::body_bold, event.subject));
+  return std::min(std::max(ui.px(event_words_x), ui.px(event_subject_x + 12) + std::ceil(names)), width / 2);
 }
 
 }  // namespace
 
-float Happened::draw_tools(Frame& f, float left, float top) {
+float EventView::draw_tools(Frame& f, float left, float top) {
   Ui& ui = f.ui;
   constexpr std::array<std::string_view, 3> names = {"all events", "how it ended", "trouble"};
   const ButtonOptions copy{.style = ButtonStyle::quiet, .tip = "Copies the events shown, with their times."};
@@ -85,8 +86,8 @@ float Happened::draw_tools(Frame& f, float left, float top) {
   return left + ui.px(button_width(ui, "Copy", copy));
 }
 
-void Happened::draw(Frame& f, float height) {
-  const EventLog& log = f.tab.desk().events;
+void EventView::draw(Frame& f, float height) {
+  const EventLog& log = f.tab.desk().records.events;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, f.ui[Tone::well]);
   ImGui::BeginChild("happened/log", ImVec2(0, height), false,
@@ -98,7 +99,7 @@ void Happened::draw(Frame& f, float height) {
   ImGui::EndChild();
 }
 
-void Happened::draw_rows(Frame& f, const EventLog& log) {
+void EventView::draw_rows(Frame& f, const EventLog& log) {
   Ui& ui = f.ui;
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   const float row = ui.px(event_row), scroll = std::floor(ImGui::GetScrollY());
@@ -118,10 +119,10 @@ void Happened::draw_rows(Frame& f, const EventLog& log) {
   ImGui::Dummy(ImVec2(0, 0));
 }
 
-void Happened::register_text(Frame& f, const EventLog& log) {
+void EventView::register_text(Frame& f, const EventLog& log) {
   if (shown_version_ != log.version() || shown_filter_ != filter_) {
     shown_version_ = log.version(), shown_filter_ = filter_;
-    shown_text_ = log.text(filter_, f.tab.desk().traffic.clock());
+    shown_text_ = log.text(filter_, f.tab.desk().records.traffic.clock());
   }
   const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   show(f.ui, {.id = "happened/log", .kind = Kind::text, .label = "What happened", .value = shown_text_},
