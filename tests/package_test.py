@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """The package as far as it can be tried without installing it: made by cpack, unpacked, run from there, and what it
 depends on compared with what the loader wants.   package_test.py BUILD_FOLDER [PACKAGE.deb]"""
+import os
 import pathlib
+import pty
 import re
+import select
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 BUILD = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "build").resolve()
@@ -150,7 +154,80 @@ class Package(unittest.TestCase):
         self.assertEqual(self.completed("handwheel convert pla"), ["plate.dxf"], "and not plate.prg")
         self.assertEqual(self.completed("handwheel simulate x --bench sl"), ["slide.toml"])
         self.assertEqual(self.completed("handwheel send vxm@em"), ["emulator"], "only what stands behind the @")
+        self.assertEqual(self.completed("handwheel restore vxm@emulator sl"), ["slide.toml"])
+        self.assertIn("link=debug", self.completed("handwheel --log link"))
         self.assertEqual(self.completed("handwheel emulate vxm --tcp "), [], "nobody knows which")
+
+    def test_fish_completes_them_too(self):
+        if not shutil.which("fish"):
+            self.skipTest("fish is not installed")
+        self.check_offers(lambda line: [offer.split("\t")[0] for offer in said(
+            "fish", "--no-config", "-c", 'source "$argv[1]"; complete -C "$argv[2]"',
+            self.share / "fish/vendor_completions.d/handwheel.fish", line,
+            cwd=self.share / "handwheel/examples", env=self.shell_environment()).splitlines()])
+
+    def test_zsh_completes_them_too(self):
+        if not shutil.which("zsh"):
+            self.skipTest("zsh is not installed")
+        self.check_offers(self.offered_by_zsh)
+
+    def shell_environment(self):
+        return {"PATH": f"{self.program.parent}:/usr/bin:/bin", "HOME": self.folder.name, "TERM": "dumb",
+                "LC_ALL": "C.UTF-8"}
+
+    def check_offers(self, offers):
+        for line, word, other in (("handwheel sim", "simulate", "run"),
+                                  ("handwheel simulate x --for-", "--for-seconds", "--json"),
+                                  ("handwheel simulate x.vxm --for ", "pmx-4ex-sa", "plate.dxf"),
+                                  ("handwheel emulate vxm --wire r", "real", "off"),
+                                  ("handwheel send vxm@em", "vxm@emulator", "vme58@emulator"),
+                                  ("handwheel restore vxm@emulator ", "slide.toml", "vxm@emulator"),
+                                  ("handwheel run pla", "places.lua", "simulate"),
+                                  ("handwheel open --log driver.v", "driver.vxm=debug", "link=debug")):
+            with self.subTest(line):
+                offered = offers(line)
+                self.assertIn(word, offered)
+                self.assertNotIn(other, offered)
+        self.assertEqual(offers("handwheel send vxm@emulator "), [], "a text is not to be guessed")
+
+    def offered_by_zsh(self, line):
+        """An interactive zsh completes the line on a pseudo-terminal; its compadd prints what is added."""
+        setup = pathlib.Path(self.folder.name) / "setup.zsh"
+        setup.write_text(f"""PROMPT=; RPROMPT=; fpath=({self.share}/zsh/vendor-completions $fpath)
+autoload -Uz compinit && compinit -u -D
+bindkey '^I' complete-word
+compprefuncs=(begin_); begin_() {{ print -r -- $'\\n@begin' }}
+comppostfuncs=(end_); end_() {{ print -r -- @end; exit }}
+compadd() {{
+  if [[ ${{@[1,(i)(-|--)]}} == *-(O|A|D)\\ * ]]; then builtin compadd "$@"; return; fi
+  local -a hits; local word
+  builtin compadd -A hits "$@"
+  for word in $hits; do print -r -- "@offers $word"; done
+  builtin compadd "$@"
+}}
+print @ready
+""")
+        child, terminal = pty.fork()
+        if child == 0:
+            os.chdir(self.share / "handwheel/examples")
+            os.execvpe("zsh", ["zsh", "-f", "-i"], self.shell_environment())
+
+        def read_until(mark):
+            heard, end = b"", time.monotonic() + 60
+            while mark not in heard:
+                self.assertLess(time.monotonic(), end, heard)
+                if select.select([terminal], [], [], 0.2)[0]:
+                    heard += os.read(terminal, 65536)
+            return heard.decode(errors="replace")
+
+        try:
+            os.write(terminal, f"source {setup}\n".encode())
+            read_until(b"\n@ready")
+            os.write(terminal, line.encode() + b"\t")
+            return re.findall(r"@offers (\S+)", read_until(b"@end"))
+        finally:
+            os.close(terminal)
+            os.waitpid(child, 0)
 
     def test_other_shells_understand_theirs(self):
         for shell, flag, name in (("zsh", "-n", "zsh/vendor-completions/_handwheel"),

@@ -25,7 +25,7 @@ for _, slip in ipairs{
   {'position: the axis must be its number or its name, as 1 or "X", not nil', function() c:position() end},
   {'jog: the axis must be its number or its name, as 1 or "1", not table', function() vxm:jog({1}, "+") end},
   {'position: on a bus the axis is the id of a device, as "01", not number', function() bus:position(1) end},
-  {'say which one, c.devices["01"]', function() bus:get("HSPD") end},
+  {'name the device, c.devices["01"]', function() bus:get("HSPD") end},
   {"call this with a colon on a controller returned by hw.open()", function() c.position("X") end},
   {"wait: argument 1 (seconds) must be a number, not string", function() c:wait("10") end},
   {"wait: argument 1 (seconds) must be from 0 to a million seconds, not -1", function() c:wait(-1) end},
@@ -60,7 +60,7 @@ for _, slip in ipairs{
   {'There is no controller model "pmx".', "text", function() return hw.open("pmx@emulator") end},
   {'"usb0" is not a transport. Did you mean "usb"?', "text", function() return hw.open("pmx-4ex-sa@usb0") end},
   {'Did you mean "pmx-4ex-sa"?', "text", function() return hw.open("pmx@emulator") end},
-  {'There is no homing mode "hard". There is', "refused", function() return c:home("X", "-", "hard") end},
+  {'There is no homing mode "hard". The modes are', "refused", function() return c:home("X", "-", "hard") end},
   {'There is no place "load".', "refused", function() return c:go("load") end},
   {'has no parameter "ACCEL"', "refused", function() return c:set("ACCEL", 5) end},
 } do

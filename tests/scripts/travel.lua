@@ -28,7 +28,7 @@ for _, kind in ipairs{
   same(c:wait(30), true, "a jog ends there by itself")
   same(c:position(axis), 900, address)
   ok, why = c:jog(axis, "+")
-  refused(ok, why, "stands at the + limit that is set for it")
+  refused(ok, why, "is at the + limit set for it")
   assert(c:limits(axis, {minus = -200}))
   assert(c:move_to{[axis] = 1000})
   assert(c:wait(30))

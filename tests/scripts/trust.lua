@@ -56,7 +56,7 @@ c:jog(2, "+", 3000)
 hw.sleep(2)
 c:abort()
 local word, why = c:trust(2)
-same(word, "untrusted", "killed at speed")
+same(word, "untrusted", "stopped without a ramp")
 hw.check(why:find("without a ramp", 1, true), why)
 same(c:trust(1), "homed", "of the other one nothing is doubted")
 

@@ -34,7 +34,7 @@ hw.check(ended == nil and not why_ended:find("RQ", 1, true), "a late rejection: 
 hw.check(c:load("AX VL1000 AC10000\nMR10 GO\nMP MV500,500\nMV100,500\nSP0\n" .. ("MR1 GO\n"):rep(150)))
 c:run(0)
 ended, why_ended = c:wait(60)
-hw.check(ended == nil and why_ended:find("when its turn in a queue came", 1, true), "a late rejection: " .. tostring(why_ended))
+hw.check(ended == nil and why_ended:find("when a queue reached it", 1, true), "a late rejection: " .. tostring(why_ended))
 c:stop()
 c:wait(20)
 

@@ -38,7 +38,7 @@ end
 local function every_port_was_asked()
   shows("connect/search/progress", "%.$")
   local said = ui.value("connect/search/progress")
-  local asked, all = said:match("^Done after (%d+) of (%d+) questions")
+  local asked, all = said:match("^Done after (%d+) of (%d+) queries")
   local none = said == "There is no serial port to search." or said == "No port could be searched."
   assert(none or (asked == all and tonumber(all) > 0), said)
 end

@@ -40,13 +40,13 @@ told("inserts_of_themselves", "itself")
 told("no_length", "it has no size")
 told("no_numbers", "holds no number")
 told("splines_wrong", "its knots are not in order")
-told("huge", "goes from")
+told("huge", "the range of a ")
 
 -- A radius beyond the counters of the controller.
 open("circles")
 ui.type("drawing/times", "10000000\n")
 hw.sleep(1)
-hw.check(said():find("goes from", 1, true), "a radius out of range: " .. said())
+hw.check(said():find("the range of a ", 1, true), "a radius out of range: " .. said())
 for _, w in ipairs(ui.list()) do
   if w.id == "drawing/cut" then hw.check(not w.enabled, "it is not cut") end
 end

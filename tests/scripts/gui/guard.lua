@@ -49,7 +49,7 @@ for _, kind in ipairs{{"pmx-4ex-sa@emulator", "EO=15"}, {"dmx-k-sa@emulator", "E
   -- taken away
   ui.click("jog/guarantee")
   ui.frame(5)
-  hw.check(ui.value("jog/guard/state"):find("It is installed", 1, true), ui.value("jog/guard/state"))
+  hw.check(ui.value("jog/guard/state"):find("The guard is installed", 1, true), ui.value("jog/guard/state"))
   ui.click("jog/guard/remove")
   hw.sleep(20)
   ui.frame(5)

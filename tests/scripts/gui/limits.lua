@@ -97,7 +97,7 @@ for _, k in ipairs(kinds) do
   -- a text goes anyway, and is warned about in the unit of the axis
   ui.type("terminal/command", say(k.text, k.absolute and 4600 or 600) .. "\n")
   hw.sleep(0.2)
-  hw.check(told("This text leads past a limit: 11.500 mm lies 1.500 mm past the + limit of"), what)
+  hw.check(told("This text moves past a limit: 11.500 mm lies 1.500 mm past the + limit of"), what)
   hw.sleep(3)
   hw.check(c:wait(30))
   hw.check(told("has passed its + limit, 10.000 mm: nothing ends this motion there."), what)

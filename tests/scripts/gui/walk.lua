@@ -25,7 +25,7 @@ end
 
 -- ---- motor type 0 is said before the first move, with the way to Setup
 hw.check(ui.exists("fault/setup"), "the banner has a way to Setup")
-hw.check(ui.value("fault/unset"):find("Motor 1", 1, true), ui.value("fault/unset"))
+hw.check(ui.value("fault/unset"):find("motor 1", 1, true), ui.value("fault/unset"))
 ui.click("fault/setup")
 ui.frame(3)
 hw.check(ui.exists("setup/M1M"), "Setup is in front")

@@ -24,7 +24,7 @@ for _ = 1, 200 do
   progress = ui.value("connect/search/progress") or ""
   if progress:find("^Done") then break end
 end
-hw.check(progress == "Done after 7 of 7 questions, 2 found.", progress)
+hw.check(progress == "Done after 7 of 7 queries, 2 found.", progress)
 hw.check(ui.exists("connect/search/found/0") and ui.exists("connect/search/found/1"), "both are listed")
 hw.check(not ui.exists("connect/search/found/2"), "and nothing else")
 
