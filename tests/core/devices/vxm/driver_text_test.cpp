@@ -149,7 +149,6 @@ TEST_F(VxmDriverText, WhatTheControllerDidNotConfirmIsNotCalledStored) {
 }
 
 TEST_F(VxmDriverText, AStopEndsTheWaitForAnAnswer) {
-  Instant answered{};
   std::string answer;
   bool came = false;
   asio::co_spawn(io, ask(*pump, "I1M400000,R", std::chrono::seconds(60), answer, came), asio::detached);
