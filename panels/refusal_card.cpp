@@ -70,59 +70,6 @@ float card_height(const Ui& ui, const Refusal& what) {
   return words + ui.px(card_top + title + (rows > 0 ? action_gap + rows : 0) + card_top);
 }
 
-bool overlap(const Rect& a, const Rect& b) {
-  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
-}
-
-Rect seen(const Widget& w) {
-  return {ImVec2(std::max(w.rect.min.x, w.clip.min.x), std::max(w.rect.min.y, w.clip.min.y)),
-          ImVec2(std::min(w.rect.max.x, w.clip.max.x), std::min(w.rect.max.y, w.clip.max.y))};
-}
-
-/// The areas that a card must not cover, as drawn in the last frame: controls that can start motion, Stops,
-/// other widgets that the user presses or types into (except an editor and rows of text), and the cards of
-/// rows above.
-class Taken {
- public:
-  Taken(const Ui& ui, std::string_view own) : all_(ui.registry.widgets()), own_(own) {}
-  [[nodiscard]] bool leaves(const Rect& place) const {
-    bool above = true;
-    for (const Widget& w : all_) {
-      above = above && w.id != own_;
-      const bool text = w.kind == Kind::editor || w.kind == Kind::link || w.kind == Kind::row;
-      const bool reached_for = w.moving || w.stops || (w.usable() && !text);
-      const bool taken = w.card ? above : reached_for && !on_a_card(w);
-      const Rect r = seen(w);
-      if (taken && r.width() > 0 && r.height() > 0 && overlap(r, place)) return false;
-    }
-    return true;
-  }
-
- private:
-  [[nodiscard]] bool on_a_card(const Widget& w) const {
-    return std::any_of(all_.begin(), all_.end(),
-                       [&](const Widget& c) { return c.card && c.rect.contains(w.rect.centre()); });
-  }
-  std::span<const Widget> all_;
-  std::string_view own_;
-};
-
-/// A free place beside a row of the left column, over the centre. If it is taken, further up or down, then
-/// further right. Rows in the centre are too close together for a card.
-std::optional<Rect> free_place(const Ui& ui, const Taken& taken, const Rect& row, ImVec2 size) {
-  const ImRect column = ImGui::GetCurrentWindow()->RootWindow->Rect();
-  const float edge = ui.px(from_border), low = column.Min.y + edge, high = column.Max.y - edge - size.y;
-  const float wanted = std::clamp(std::floor(row.centre().y - size.y / 2), low, std::max(low, high));
-  if (column.Min.x > 0) return {};
-  for (float x = column.Max.x; x + size.x <= ui.size_px.x; x += ui.px(24))
-    for (float away = 0; away <= column.GetHeight(); away += ui.px(4))
-      for (const float y : {wanted - away, wanted + away}) {
-        const Rect place{ImVec2(x, y), ImVec2(x + size.x, y + size.y)};
-        if (y >= low && y <= high && taken.leaves(place)) return place;
-      }
-  return {};
-}
-
 /// The place of a bar over the status line, whose sentence says no more than the bar.
 Rect bar_place(const Ui& ui) {
   const Widget* status = ui.registry.find("status/text");
@@ -170,17 +117,29 @@ void RefusalCard::begin(Frame& f, const Refusal& what, const Rect& row) {
   });
 }
 
+/// Beside a row of the left column, over the centre. Rows in the centre are too close together for a card.
+std::optional<Rect> RefusalCard::free_place(const Ui& ui, const Rect& row, ImVec2 size) const {
+  const ImRect column = ImGui::GetCurrentWindow()->RootWindow->Rect();
+  if (column.Min.x > 0) return {};
+  const float edge = ui.px(from_border), low = column.Min.y + edge, high = column.Max.y - edge - size.y;
+  const float wanted = std::clamp(std::floor(row.centre().y - size.y / 2), low, std::max(low, high));
+  const FreePlace::Band band{low, high, ui.px(4)};
+  for (float x = column.Max.x; x + size.x <= ui.size_px.x; x += ui.px(24))
+    if (const auto place = free_.nearest(ImVec2(x, wanted), size, band)) return place;
+  return {};
+}
+
 /// Keeps the card's place as long as it is free, so that nothing moves under the pointer.
 void RefusalCard::find_place(const Frame& f, const Rect& row) {
   Ui& ui = f.ui;
   const ImVec2 size(ui.px(card_width), card_height(ui, what_));
-  const Taken taken(ui, what_.id);
+  free_.look(ui.registry.widgets(), what_.id);
   const bool narrow = f.tier == Tier::narrow;
   const bool same_row = row_.min.x == row.min.x && row_.min.y == row.min.y && row_.max.x == row.max.x;
   const bool same_size = place_.width() == size.x && place_.height() == size.y;
-  if (!narrow && !bar_ && same_row && same_size && taken.leaves(place_)) return;
+  if (!narrow && !bar_ && same_row && same_size && free_.leaves(place_)) return;
   row_ = row;
-  const auto found = narrow ? std::nullopt : free_place(ui, taken, row, size);
+  const auto found = narrow ? std::nullopt : free_place(ui, row, size);
   bar_ = !found;
   place_ = found ? *found : bar_place(ui);
   ui.wake_in(0);  // the areas to avoid are only known from the last frame

@@ -19,11 +19,13 @@
 //
 // The words have the id, the cross has `<id>/close`. An action that can start motion ignores an early press,
 // because a card appears suddenly.
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "gui/shell/frame.h"
 #include "gui/widgets/message.h"
+#include "panels/free_place.h"
 
 namespace hw::panels {
 
@@ -51,11 +53,14 @@ class RefusalCard {
 
  private:
   void find_place(const gui::Frame& frame, const gui::Rect& row);
+  [[nodiscard]] std::optional<gui::Rect> free_place(const gui::Ui& ui, const gui::Rect& row,
+                                                    ImVec2 size) const;
   void draw_card_words();
   void draw_bar_words();
 
   gui::Ui* ui_ = nullptr;  ///< valid, as `what_`, only from begin() to end()
   Refusal what_;
+  FreePlace free_;
   gui::Rect place_{}, row_{};  ///< place of the card and of its row, in pixels; empty: no place yet
   bool bar_ = false;
   ImVec2 rows_{};    ///< where slot and actions begin
