@@ -22,7 +22,7 @@ struct PartInAPart : testing::Test {
               800, 450};
 };
 
-TEST_F(PartInAPart, WhatIsScrolledToWithinDoesNotScrollTheWhole) {
+TEST_F(PartInAPart, ScrollingToAWidgetWithinDoesNotScrollTheWhole) {
   stage.frames(3);
   const float tool = stage.find("tool")->rect.min.y;
   for (int n = 0; n < 5; ++n) {

@@ -60,7 +60,7 @@ TEST(FramePacer, NoMoreThanSixtyASecond) {
   EXPECT_LE(frames, 63);
 }
 
-TEST(FramePacer, WhatShowsTimeHasItsFrameWhenItIsTime) {
+TEST(FramePacer, AWidgetThatShowsTimeIsDrawnWhenDue) {
   Loop loop;
   loop.needs.wake_in_s = 0.5;
   loop.frames_in(1);

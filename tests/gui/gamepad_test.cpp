@@ -106,7 +106,7 @@ TEST_F(GamepadTest, EveryStickAndTheDPadHasItsAxis) {
   EXPECT_EQ(reported(), "+chosen+ -chosen+ +chosen- -chosen-");
 }
 
-TEST_F(GamepadTest, WhatIsPushedAlreadyWhenTheDeadManButtonGoesDownMovesNothing) {
+TEST_F(GamepadTest, AStickPushedBeforeTheDeadManButtonMovesNothing) {
   push_stick(left_x, 1);  // it lies on its stick
   hold(lb, true);
   EXPECT_EQ(reported(), "");
@@ -115,7 +115,7 @@ TEST_F(GamepadTest, WhatIsPushedAlreadyWhenTheDeadManButtonGoesDownMovesNothing)
   EXPECT_EQ(reported(), "+right");
 }
 
-TEST_F(GamepadTest, WhatIsPushedAlreadyWhenItIsArmedMovesNothing) {
+TEST_F(GamepadTest, AStickPushedBeforeArmingMovesNothing) {
   pad.disarm(stage.now_s);
   state.axes[left_x] = 1;
   state.buttons[lb] = true;

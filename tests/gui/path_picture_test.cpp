@@ -102,7 +102,7 @@ TEST(PathPicture, InPerspectiveLinesStandWhereTheViewPutsThem) {
   EXPECT_EQ(alpha({50, 60, 0}), 0u);
 }
 
-TEST(PathPicture, WhatReachesFarBeyondIsCutAtTheEdge) {
+TEST(PathPicture, LinesThatReachFarOutsideAreCutAtTheEdge) {
   drawing::ToolPath path;
   path.go({-1e12, 50}, {1e12, 50}, true, 0);
   path.go({-4e9, -4e9}, {4e9, 4e9}, true, 0);

@@ -74,12 +74,12 @@ class PressGuardTest : public testing::Test {
   [[nodiscard]] bool shows_not_taken(const char* id) { return stage.find(id)->press_ignored; }
 };
 
-TEST_F(PressGuardTest, WhatHasOnlyJustAppearedTakesNoPress) {
+TEST_F(PressGuardTest, AButtonThatJustAppearedTakesNoPress) {
   wait(0.1);
   go_is_not_taken_before_it_has_stood();
 }
 
-TEST_F(PressGuardTest, WhatHasMovedUnderTheHandTakesNoPress) {
+TEST_F(PressGuardTest, AButtonThatMovedUnderTheHandTakesNoPress) {
   wait(1);
   at.y += 1;
   stage.frame();
@@ -121,7 +121,7 @@ TEST_F(PressGuardTest, HoldingItDoesNotMakeItCountAndLettingGoNeither) {
   EXPECT_EQ(ended, 1);
 }
 
-TEST_F(PressGuardTest, WhatMovesNothingWaitsForNothing) {
+TEST_F(PressGuardTest, AButtonThatMovesNothingTakesAPressAtOnce) {
   stage.frames(2);
   click("plain");
   EXPECT_EQ(plain, 1);

@@ -10,7 +10,7 @@
 namespace hw::gui {
 namespace {
 
-TEST(ToastList, WhatTheySpokeOfHasChanged) {
+TEST(ToastList, MessagesGoWhenTheirSubjectChanges) {
   Toasts toasts;
   const int text = 0, other = 0;
   toasts.add(Severity::fault, "Line 2: A number is missing here.", &text);
@@ -37,7 +37,7 @@ TEST(ToastList, NameTheirControllerWhileAnotherIsInFront) {
   EXPECT_EQ(shown_text(std::nullopt), "Line 2: no. The disk is full.") << "the only one";
 }
 
-TEST(ToastList, WhatIsReportedAgainIsCountedAndTheNewest) {
+TEST(ToastList, ARepeatedMessageIsCountedAndBecomesTheNewest) {
   Toasts toasts;
   toasts.add(Severity::warn, "It is hot.");
   toasts.add(Severity::ok, "It was copied.");
@@ -53,7 +53,7 @@ TEST(ToastList, WhatIsReportedAgainIsCountedAndTheNewest) {
   EXPECT_EQ(toasts.list().back().text, "It is hot.") << "its time started anew";
 }
 
-TEST(ToastList, WhatWouldGoByItselfMakesRoomForWhatStays) {
+TEST(ToastList, ATransientMessageMakesRoomForALastingOne) {
   Toasts toasts;
   toasts.add(Severity::fault, "The disk is full.");
   toasts.add(Severity::ok, "It was copied.");
@@ -63,7 +63,7 @@ TEST(ToastList, WhatWouldGoByItselfMakesRoomForWhatStays) {
   EXPECT_EQ(toasts.list().front().text, "The disk is full.");
 }
 
-TEST(ToastList, WhatAFileBringsIntoASentenceIsCutAndMadeReadable) {
+TEST(ToastList, TextFromAFileIsCutAndMadeReadable) {
   Toasts toasts;
   toasts.add(Severity::fault, "a\x1b[31m\nb");
   EXPECT_EQ(toasts.list().back().text, "a [31m b");

@@ -39,7 +39,7 @@ TEST(Button, FocusLossWhilePressedIsNoClick) {
   EXPECT_EQ(clicks, 0);
 }
 
-TEST(Text, WhatHadToBeCutIsShownWholeUnderTheMouse) {
+TEST(Text, CutTextIsShownWholeUnderTheMouse) {
   std::string reported;
   Stage stage(in_window([&](Ui& ui) {
     draw_text_line(ui, 20, 120, 40, Face::body, ui[Tone::ink], "a sentence that is far too long for it");
@@ -240,7 +240,7 @@ TEST(NumberField, OutOfRangeIsNotReportedAndStaysTyped) {
   EXPECT_TRUE(one.field.sentence.empty());
 }
 
-TEST(NumberField, WhatTheControllerHasNowIsNotTakenForTyped) {
+TEST(NumberField, AValueFromTheControllerIsNotTakenForTyped) {
   OneNumber one;
   Stage stage(in_window([&](Ui& ui) { one.draw(ui); }));
   ASSERT_TRUE(stage.hand.click("setup/S"));
@@ -252,7 +252,7 @@ TEST(NumberField, WhatTheControllerHasNowIsNotTakenForTyped) {
   EXPECT_EQ(one.value, 20);
 }
 
-TEST(NumberField, WhatIsPutInPlaceOfATypedNumberHolds) {
+TEST(NumberField, AValueSetOverATypedNumberSurvivesUndo) {
   OneNumber one;
   Stage stage(in_window([&](Ui& ui) { one.draw(ui); }));
   ASSERT_TRUE(stage.hand.type("setup/S", "2.5"));
@@ -377,7 +377,7 @@ TEST(Choice, AnEntryTooLongForItsFieldIsSmallerAndNotCut) {
   EXPECT_EQ(reported, "");
 }
 
-TEST(ToggleLamp, WhatIsNotKnownIsNotDrawnAsOff) {
+TEST(ToggleLamp, AnUnknownStateIsNotDrawnAsOff) {
   std::size_t vertices = 0;
   ToggleOptions o;
   o.disabled = "There is no link.";

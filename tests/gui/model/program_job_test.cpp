@@ -66,7 +66,7 @@ TEST_F(ProgramJobTest, NothingIsStartedBehindAStop) {
   EXPECT_TRUE(last<intent::RunProgram>()) << "asked for again, and loaded already";
 }
 
-TEST_F(ProgramJobTest, WhatMustNotBeginWhenItIsLoadedIsNotStarted) {
+TEST_F(ProgramJobTest, AProgramThatMustNotBeginOnceLoadedIsNotStarted) {
   for (const auto goal : {ProgramJob::Goal::run, ProgramJob::Goal::run_stepping}) {
     texts.set_text(0, goal == ProgramJob::Goal::run ? "I1M400" : "I1M500");
     std::string why;
@@ -127,7 +127,7 @@ TEST_F(ProgramJobTest, RunAsksBeforeItOverwritesAnotherProgram) {
   EXPECT_TRUE(last<intent::LoadProgram>());
 }
 
-TEST_F(ProgramJobTest, WhatWasTypedDuringTheQuestionIsNotAnsweredForByIt) {
+TEST_F(ProgramJobTest, AnAnswerDoesNotCoverTextTypedDuringTheQuestion) {
   find_another_program();
   ASSERT_EQ(job.stage(), ProgramJob::Stage::asking);
   texts.set_text(0, "I1M-77");
@@ -227,7 +227,7 @@ TEST_F(ProgramJobTest, StoreShowsHowManyWritesWereUsed) {
   EXPECT_EQ(job.take_report().sentence, "Stored in the controller. 13 of 100000 writes used.");
 }
 
-TEST_F(ProgramJobTest, WhatIsKeptWhenItIsLoadedIsNotStoredWithTheSetUp) {
+TEST_F(ProgramJobTest, AProgramKeptOnLoadingNeedsNoStore) {
   catalog.program.compiled = true;
   texts.set_text(0, "I1");
   begin(ProgramJob::Goal::store);

@@ -46,7 +46,7 @@ TEST_F(ProgramTextsTest, EditedMeansDifferentFromTheFile) {
   EXPECT_FALSE(texts.edited(0)) << "typed back";
 }
 
-TEST_F(ProgramTextsTest, WhatWasTypedWhileSavingIsStillEdited) {
+TEST_F(ProgramTextsTest, TextTypedWhileSavingStaysEdited) {
   texts.set_text(0, "L0");
   texts.saved(0, "/tmp/a.toy", "L0");
   EXPECT_FALSE(texts.edited(0));
@@ -114,7 +114,7 @@ TEST_F(ProgramTextsTest, NoLineIsNamedOfAProgramChangedElsewhere) {
   EXPECT_EQ(texts.live_line(0, 1), 1) << "it was looked at";
 }
 
-TEST_F(ProgramTextsTest, WhatRanWhenTheWireWasLostIsStillFollowedUntilItEnds) {
+TEST_F(ProgramTextsTest, AProgramRunningWhenTheLinkWasLostIsFollowedToItsEnd) {
   texts.set_text(0, "S1\nL0");
   texts.loaded(0, texts.text(0), Instant());
   texts.doubt();
@@ -186,7 +186,7 @@ TEST(LineOf, IsOneLineWithoutItsIndent) {
   EXPECT_EQ(line_of("   ", 0), "");
 }
 
-TEST_F(ProgramTextsTest, WhatABrokenTransferHasLeftIsReportedUntilItIsLoadedAgain) {
+TEST_F(ProgramTextsTest, ABrokenTransferIsReportedUntilTheProgramIsLoadedAgain) {
   texts.set_text(0, "I1M400");
   now.slots_torn = 1;
   EXPECT_EQ(note(), "The controller does not hold this program. Run loads it again.");

@@ -104,7 +104,7 @@ TEST_F(RunFollowerTest, ACommandOfWhichNothingHappensHasItsTurn) {
 }
 
 // "X moves" and "Y moves" are one pass of a contour.
-TEST_F(RunFollowerTest, WhatHappensInOneTurnIsOnePass) {
+TEST_F(RunFollowerTest, EventsOfOneTurnAreOnePass) {
   language.turns = {{0, 0}, {1, 1}};
   now.program.started_at = at(20);
   follower.follow(now, {}, at(20), texts, &language, worker);

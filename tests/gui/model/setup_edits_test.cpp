@@ -104,7 +104,7 @@ TEST_F(SetupEditsTest, WritesOneAfterAnother) {
   EXPECT_THAT(write.take_report().sentence, HasSubstr("2 values written and read back."));
 }
 
-TEST_F(SetupEditsTest, WhatStoreKeepsIsReportedOfEachValue) {
+TEST_F(SetupEditsTest, TheReportCountsTheValuesThatStoreKeeps) {
   catalog.params[2].stored = false;
   edits.set(2, 5);
   write.begin(edits, now, catalog, false, send);

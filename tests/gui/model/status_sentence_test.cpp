@@ -183,7 +183,7 @@ TEST_F(StatusSentenceTest, AProgramInErrorIsReportedWhileOthersRun) {
             failed + " Axis X hit its + limit. Clear the errors before the next move.");
 }
 
-TEST_F(StatusSentenceTest, WhatGoesOnBesideAnAxisInErrorIsReported) {
+TEST_F(StatusSentenceTest, MotionBesideAnAxisInErrorIsReported) {
   now.axes[0].activity = Activity::error;
   now.notice = "Axis X hit its + limit. Clear the errors before the next move.";
   now.axes[1].activity = Activity::moving;
@@ -339,7 +339,7 @@ TEST_F(StatusSentenceTest, OldValuesAreNotTakenForNew) {
   EXPECT_EQ(sentence(), (StatusSentence{Severity::warn, "The position of motor 1 is 5.0 s old."}));
 }
 
-TEST_F(StatusSentenceTest, WhatIsNotStoredIsReportedByItsMarkOnly) {
+TEST_F(StatusSentenceTest, UnsavedSettingsAreShownByTheirMarkOnly) {
   now.unsaved_setup = true;
   EXPECT_EQ(sentence().text, "Idle. Hold a jog button, type where to go, or run a program.");
 }
@@ -390,7 +390,7 @@ TEST_F(StatusSentenceTest, AnAlarmThatStandsIsNoErrorToClear) {
                                         "Look at its motor driver."}));
 }
 
-TEST_F(StatusSentenceTest, WhatABannerShowsIsNotReportedAgain) {
+TEST_F(StatusSentenceTest, AStateShownByABannerIsNotRepeated) {
   now.params[0].value = 0;
   unset_read = true;
   EXPECT_EQ(sentence().text, "Idle. Hold a jog button, type where to go, or run a program.");

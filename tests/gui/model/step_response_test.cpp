@@ -114,7 +114,7 @@ TEST(StepResponse, ARiseThatFewSamplesShowIsAGap) {
   EXPECT_FALSE(m.settling_ms.exact());
 }
 
-TEST(StepResponse, WhatAGapTouchesIsARangeOrIsWithheld) {
+TEST(StepResponse, AMeasureAcrossAGapIsARangeOrWithheld) {
   StepMeasures m = measure(recorded_but(7, 20));
   EXPECT_EQ(m.gaps, 1);
   EXPECT_DOUBLE_EQ(m.rise_ms.low, 6);

@@ -72,7 +72,7 @@ TEST(UnitsFormat, RefusesWhatCanBeReadTwoWays) {
   EXPECT_FALSE(parse_position("99999999999999999999", mm).has_value());
 }
 
-TEST(UnitsFormat, WhatIsShownReadsBackAsTheSameSteps) {
+TEST(UnitsFormat, AShownPositionReadsBackAsTheSameSteps) {
   for (const DisplayUnit& u : {steps, mm, inch, degrees})
     for (std::int64_t n : {0, 1, -1, 3120, -57001, 8388607, -8388608})
       EXPECT_EQ(parse_position(format_with_unit(Steps(n), u).view(), u).value(), Steps(n))

@@ -12,7 +12,7 @@ import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from window_test import HEIGHT, WIDTH, Window  # noqa: E402
+from window_test import HEIGHT, WIDTH, SharedWindow  # noqa: E402
 
 # No frames, so that the window stays where the stage has put it; two workspaces; the manager's menu by a key.
 OPENBOX = """<?xml version="1.0"?>
@@ -66,20 +66,9 @@ class Tap:
         return len(self.sent)
 
 
-class Managed(Window):
-    """One display, window manager and console for all cases of a class."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.stage = cls("set_the_stage")
-        cls.addClassCleanup(cls.stage.doCleanups)
-        cls.stage.set_the_stage()
-
-    def setUp(self):
-        vars(self).update({k: v for k, v in vars(self.stage).items() if not k.startswith("_")})
-
+class Managed(SharedWindow):
     def set_the_stage(self):
-        super().setUp()
+        super().set_the_stage()
         self.other = self.start(["xmessage", "-geometry", "+40+700", "another window"], env=self.env)
         self.other_window = self.xdo("search", "--sync", "--onlyvisible", "--name", "xmessage").split()[0]
         self.xdo("windowactivate", "--sync", self.window)

@@ -42,7 +42,9 @@ class Wire:
         return [int(p) for p in re.findall(r"([+-]\d{7})\r", self.text[since:])]
 
     def first_motor(self, since=0):
-        return self.positions(since)[::2]
+        """Motor 2 stays at zero in all of these tests. A stop may come between the two: they do not alternate for ever."""
+        both = self.positions(since)
+        return [second or first for first, second in zip(both, both[1:])]
 
 
 class Window(unittest.TestCase):
@@ -219,7 +221,23 @@ class Window(unittest.TestCase):
         return json.loads(file.read_text()) if file.exists() else {}
 
 
-class Hold(Window):
+class SharedWindow(Window):
+    """One display, desktop and console for all cases of a class."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.stage = cls("set_the_stage")
+        cls.addClassCleanup(cls.stage.doCleanups)
+        cls.stage.set_the_stage()
+
+    def setUp(self):
+        vars(self).update({k: v for k, v in vars(self.stage).items() if not k.startswith("_")})
+
+    def set_the_stage(self):
+        super().setUp()
+
+
+class Hold(SharedWindow):
     def test_holding_a_jog_button_moves_until_it_is_let_go(self):
         begin = self.at_rest()
         self.hold("jog/1/+", lambda position: position > begin + 400)
@@ -229,7 +247,6 @@ class Hold(Window):
         self.assertLess(stopped, moving + 6000)
         time.sleep(1)
         self.assertEqual(self.wire.first_motor()[-1], stopped, "stays")
-
 
     def grab_the_keyboard(self, keys_up, seconds=1.5):
         """As who switches windows or takes a screenshot does; meanwhile the keys go up, and nobody is told."""
@@ -268,8 +285,20 @@ class Hold(Window):
         self.xdo("keyup", "Right")
         self.at_rest()
 
+    def test_an_arrow_jogs_while_it_is_down(self):
+        begin = self.at_rest()
+        self.xdo("mousemove", WIDTH // 2, HEIGHT - 10)
+        self.xdo("keydown", "Right")
+        time.sleep(1.5)
+        moving = self.wire.first_motor()[-1]
+        self.assertGreater(moving, begin + 400)
+        self.xdo("keyup", "Right")
+        stopped = self.at_rest()
+        time.sleep(1)
+        self.assertEqual(self.wire.first_motor()[-1], stopped)
 
-class Type(Window):
+
+class Type(SharedWindow):
     def test_a_command_typed_into_the_terminal(self):
         self.at_rest()
         begin = self.wire.mark()
@@ -280,8 +309,19 @@ class Type(Window):
         self.xdo("key", "Return")
         self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer to getD1")
 
+    def test_copy_and_paste_in_the_terminal(self):
+        self.at_rest()
+        begin = self.wire.mark()
+        self.click("terminal/command")
+        self.type("getD1")
+        self.key("ctrl+a", "ctrl+c", "Return")
+        self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer")
+        begin = self.wire.mark()
+        self.key("ctrl+v", "Return")
+        self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer to what was pasted")
 
-class Escape(Window):
+
+class Escape(SharedWindow):
     def test_escape_stops_a_held_jog(self):
         begin = self.at_rest()
         self.hold("jog/1/+", lambda position: position > begin + 300)
@@ -306,19 +346,7 @@ class Escape(Window):
         self.assertLess(stopped, begin + 20000, "stopped on the way")
 
 
-class Keys(Window):
-    def test_an_arrow_jogs_while_it_is_down(self):
-        begin = self.at_rest()
-        self.xdo("mousemove", WIDTH // 2, HEIGHT - 10)
-        self.xdo("keydown", "Right")
-        time.sleep(1.5)
-        moving = self.wire.first_motor()[-1]
-        self.assertGreater(moving, begin + 400)
-        self.xdo("keyup", "Right")
-        stopped = self.at_rest()
-        time.sleep(1)
-        self.assertEqual(self.wire.first_motor()[-1], stopped)
-
+class Crash(Window):
     def test_a_program_is_typed_run_and_comes_back_after_a_crash(self):
         begin = self.at_rest()
         self.click("program/text")
@@ -335,20 +363,10 @@ class Keys(Window):
                        if f.is_file())
         self.assertIn("P3,I1M-300", kept, "what was typed is on the disk")
 
-    def test_copy_and_paste_in_the_terminal(self):
-        self.at_rest()
-        self.click("terminal/command")
-        self.type("getD1")
-        self.key("ctrl+a", "ctrl+c", "Return")
-        self.wait_until(lambda: "12-29-04\r" in self.wire.text, "the answer")
-        begin = self.wire.mark()
-        self.key("ctrl+v", "Return")
-        self.wait_until(lambda: "12-29-04\r" in self.wire.text[begin:], "the answer to what was pasted")
-
-
-class Shape(Window):
+class Shape(SharedWindow):
     def test_splitters_theme_and_size_are_kept(self):
-        self.until_done(lambda: self.drag((302, 500), (362, 500)),
+        # From where the splitter is now: a drag that came late may have taken it half the way.
+        self.until_done(lambda: self.drag((self.kept().get("left", 304) - 2, 500), (362, 500)),
                         lambda: abs(self.kept().get("left", 0) - 364) < 3, "the left column is kept")
         self.xdo("mousemove", 362, 500)
         self.until_done(lambda: self.xdo("click", "--repeat", 2, "--delay", 80, 1),
