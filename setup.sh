@@ -34,5 +34,6 @@ build() {
   shift
   say "building ($preset)"
   cmake --preset "$preset" "$@" >/dev/null
-  cmake --build --preset "$preset" -- --quiet
+  # One compiler per core: a third one on two cores takes from the others' caches more than it gives.
+  cmake --build --preset "$preset" -j "$(nproc)" -- --quiet
 }

@@ -226,27 +226,28 @@ TEST(GamepadSwitchLook, Pictures) {
   struct Shape {
     int width, height, axes;
     float scale;
+    bool dark;
   };
-  for (const Shape& shape : {Shape{1440, 900, 2, 1}, Shape{1440, 900, 4, 1}, Shape{1024, 700, 4, 1},
-                             Shape{1024, 700, 8, 1}, Shape{1440, 900, 4, 2}})
-    for (const bool dark : {true, false}) {
-      ConsoleStage s(shape.width, shape.height, shape.scale, dark);
-      s.add(example_catalog(shape.axes));
-      PadHand hand{s.stage};
-      hand.plug_in();
-      hand.run(0.5);
-      if (s.hand.exists("tab/jog")) MUST(s.hand.click("tab/jog"));
-      hand.run(0.1);
-      const auto shoot = [&](const char* name) {
-        const std::string file = fmt::format("gamepad-{}-{}-{}x{}-{}.png", name, shape.axes, shape.width,
-                                             shape.scale, dark ? "dark" : "light");
-        EXPECT_TRUE(s.stage.surface.screenshot((folder / file).string()));
-      };
-      shoot("off");
-      MUST(s.hand.click("jog/gamepad"));
-      hand.run(0.2);
-      shoot("armed");
-    }
+  for (const Shape& shape :
+       {Shape{1440, 900, 2, 1, true}, Shape{1440, 900, 4, 1, false}, Shape{1024, 700, 4, 1, true},
+        Shape{1024, 700, 8, 1, false}, Shape{1440, 900, 4, 2, true}}) {
+    ConsoleStage s(shape.width, shape.height, shape.scale, shape.dark);
+    s.add(example_catalog(shape.axes));
+    PadHand hand{s.stage};
+    hand.plug_in();
+    hand.run(0.5);
+    if (s.hand.exists("tab/jog")) MUST(s.hand.click("tab/jog"));
+    hand.run(0.1);
+    const auto shoot = [&](const char* name) {
+      const std::string file = fmt::format("gamepad-{}-{}-{}x{}-{}.png", name, shape.axes, shape.width,
+                                           shape.scale, shape.dark ? "dark" : "light");
+      EXPECT_TRUE(s.stage.surface.screenshot((folder / file).string()));
+    };
+    shoot("off");
+    MUST(s.hand.click("jog/gamepad"));
+    hand.run(0.2);
+    shoot("armed");
+  }
 }
 
 // ---- on the wire
