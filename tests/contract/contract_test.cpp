@@ -116,7 +116,7 @@ TEST_P(ContractTest, APulledCableIsReportedAndHealsWithoutMovingAnything) {
 }
 
 // Whether what was on its way came there no wire can know: it is not called lost, and the place is told.
-TEST_P(ContractTest, WhatCameOfALostLinkIsReportedByTheirPlaces) {
+TEST_P(ContractTest, AMoveFinishedDuringALostLinkIsReportedWithItsPosition) {
   session->send(intent::MoveBy({{AxisId{0}, Steps(2000)}}, Pps{500}));
   run(Millis(500));
   operate(bench::Unplug(true));
@@ -155,7 +155,7 @@ TEST_P(ContractTest, AJogThatLostItsLinkIsStoppedWhenTheLinkIsBack) {
   EXPECT_EQ(load(), there);
 }
 
-TEST_P(ContractTest, WhatIsStoppedWithoutALinkIsStoppedWhenItIsBack) {
+TEST_P(ContractTest, AStopWithoutALinkIsSentWhenTheLinkIsBack) {
   perform(intent::MoveBy({{AxisId{0}, Steps(1'000'000)}}));
   run(Millis(200));
   operate(bench::Unplug(true));
@@ -189,7 +189,7 @@ TEST_P(ContractTest, AScriptsJogThatALimitHasEndedStopsNothingElse) {
   EXPECT_EQ(axis().position, there - Steps(3000));
 }
 
-TEST_P(ContractTest, WhatIsRefusedBesideAHeldJogLeavesItGuarded) {
+TEST_P(ContractTest, ARefusedMoveLeavesAHeldJogGuarded) {
   const auto hold = [this](int times) {
     for (int i = 0; i < times; ++i) {
       run(Millis(100));

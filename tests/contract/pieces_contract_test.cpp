@@ -144,7 +144,7 @@ TEST_P(PiecesContractTest, AStopEndsAllAndItGoesOnFromAPiece) {
   EXPECT_EQ(now().pieces.done, now().pieces.total);
 }
 
-TEST_P(PiecesContractTest, WhatIsLeftOfADrawingOutlivesARunThatIsNone) {
+TEST_P(PiecesContractTest, TheRestOfADrawingSurvivesTheRunOfAFrame) {
   auto drawing = *long_one();
   drawing.drawing = 7;
   must(intent::RunInPieces(std::make_shared<const Pieces>(drawing)));
@@ -170,7 +170,7 @@ TEST_P(PiecesContractTest, WhatIsLeftOfADrawingOutlivesARunThatIsNone) {
       << "another drawing takes its place";
 }
 
-TEST_P(PiecesContractTest, WhatIsLeftOfADrawingOutlivesOneThatHasNotBegun) {
+TEST_P(PiecesContractTest, TheRestOfADrawingSurvivesADrawingThatDidNotBegin) {
   auto drawing = *long_one();
   drawing.drawing = 7;
   must(intent::RunInPieces(std::make_shared<const Pieces>(drawing)));
@@ -280,7 +280,7 @@ TEST_P(PiecesContractTest, NothingMovesItsOriginMeanwhile) {
   EXPECT_EQ(axis().position, Steps(at_));
 }
 
-TEST_P(PiecesContractTest, WhatIsLeftBeginsWhereTheToolWasUp) {
+TEST_P(PiecesContractTest, TheRestOfADrawingBeginsWhereTheToolWasUp) {
   add_chains(3, 4);
   int down = 0;
   for (int i = 0; ix(i) < s_.steps.size(); ++i)

@@ -95,7 +95,7 @@ TEST_P(ProgramStopTest, TheSameStopAskedAgainIsAtOnce) {
   EXPECT_EQ(ended_by(), EndedBy::abort);
 }
 
-TEST_P(ProgramStopTest, WhatIsHaltedRunsNoMore) {
+TEST_P(ProgramStopTest, AHaltedProgramDoesNotGoOn) {
   start(true);
   must(intent::HaltProgram());
   EXPECT_TRUE(run_until([&] { return now().program.run == RunState::idle; }, seconds(5)));
@@ -105,7 +105,7 @@ TEST_P(ProgramStopTest, WhatIsHaltedRunsNoMore) {
   EXPECT_EQ(load(), there) << "the way back is not begun";
 }
 
-TEST_P(ProgramStopTest, WhatIsPausedBeginsNothingUntilItIsResumed) {
+TEST_P(ProgramStopTest, APausedProgramBeginsNoMotionUntilItIsResumed) {
   start(true);
   if (perform(intent::Pause()).state == IntentState::refused) GTEST_SKIP() << "it cannot be held";
   ASSERT_TRUE(run_until([&] { return !now().any_axis_moving(); }, seconds(120)));

@@ -183,7 +183,7 @@ TEST_P(TextTravelContract, SoIsTheTextOfAScript) {
   EXPECT_THAT(warning(), HasSubstr("This text moves past a limit: 900 "));
 }
 
-TEST_P(TextTravelContract, WhatOneTextHasPreparedAndAnotherStartsIsKnown) {
+TEST_P(TextTravelContract, AMovePreparedByOneTextAndStartedByAnotherIsWarnedOf) {
   const std::size_t start = text_.moves.rfind(GetParam()->model == "vme58" ? 'G' : 'R');
   if (text_.filler.empty() || start == std::string_view::npos) GTEST_SKIP() << "a text of it is one command";
   perform(intent::SendText(std::string(text_.moves.substr(0, start))));

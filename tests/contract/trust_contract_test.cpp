@@ -132,7 +132,7 @@ TEST_P(TrustContract, APowerCycleWhileItIsBeingStoppedShows) {
   EXPECT_EQ(go_to(240).state, IntentState::refused);
 }
 
-TEST_P(TrustContract, WhatTakesNoCountForTrueGoesOn) {
+TEST_P(TrustContract, MovesByDistanceAndJogsNeedNoTrustedCount) {
   ASSERT_NO_FATAL_FAILURE(lose_power_at(Steps(500)));
   EXPECT_EQ(perform(intent::MoveBy({{AxisId{0}, Steps(100)}})).state, IntentState::done);
   ASSERT_TRUE(becomes_idle(seconds(20)));

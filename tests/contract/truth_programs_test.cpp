@@ -27,7 +27,7 @@ class ProgramTruthTest : public TruthTest {
 };
 INSTANTIATE_TEST_SUITE_P(Every, ProgramTruthTest, testing::ValuesIn(types_under_test()), name_of_type);
 
-TEST_P(ProgramTruthTest, WhatIsLoadedIsInTheController) {
+TEST_P(ProgramTruthTest, ALoadedProgramIsInTheController) {
   const std::string empty = listing();
   must(intent::LoadProgram(0, facts().example));
   const std::string loaded = listing();
@@ -40,7 +40,7 @@ TEST_P(ProgramTruthTest, WhatIsLoadedIsInTheController) {
   EXPECT_EQ(listing(), empty);
 }
 
-TEST_P(ProgramTruthTest, WhatIsShownIsWhatTheControllerHasNow) {
+TEST_P(ProgramTruthTest, TheProgramShownIsTheOneInTheController) {
   if (!keeps()) GTEST_SKIP() << "the console keeps it";
   must(intent::LoadProgram(0, facts().example));
   operate(bench::PowerCycle());  // some have lost it then
@@ -51,7 +51,7 @@ TEST_P(ProgramTruthTest, WhatIsShownIsWhatTheControllerHasNow) {
   EXPECT_EQ(listing(), shown);
 }
 
-TEST_P(ProgramTruthTest, WhatIsRunMovesItsAxes) {
+TEST_P(ProgramTruthTest, ARunningProgramMovesItsAxes) {
   must(intent::LoadProgram(0, facts().example));
   const BenchView begin = seen_on_bench();
   must(intent::RunProgram(0));

@@ -60,7 +60,7 @@ TEST_P(TruthTest, AnotherSessionReadsAChangedParameter) {
   EXPECT_GE(changed, std::min(5, static_cast<int>(params.size())));
 }
 
-TEST_P(TruthTest, WhatIsStoredOutlivesThePower) {
+TEST_P(TruthTest, StoredParametersSurvivePowerOff) {
   const Catalog& c = session->catalog();
   if (!c.can.store) GTEST_SKIP() << "it keeps nothing without power";
   std::vector<std::string> names;

@@ -144,7 +144,7 @@ TEST_P(ForeignTest, AForeignDeviceIsNotTakenForThisOne) {
   }
 }
 
-TEST_P(ForeignTest, WhatAnswersRubbishIsNotTakenForAController) {
+TEST_P(ForeignTest, ADeviceThatAnswersRubbishIsNotTakenForAController) {
   const bool window = session->catalog().can.window;
   for (const Habit habit : {Habit::echo, Habit::ones, Habit::noise}) {
     const WireOpener rubbish = [=](Scheduler& s, Address,

@@ -46,7 +46,7 @@ TEST_F(LongBlocks, OfAMotionWithoutEndThatIsReportedAtItsBlock) {
   EXPECT_THAT(value("blocks/2/time"), StartsWith("over "));
 }
 
-TEST_F(LongBlocks, WhatTheControllerHasNotReportedIsNamedAndIsReadByF5) {
+TEST_F(LongBlocks, UnknownParametersAreNamedAndReadByF5) {
   set("HSPD", 0, false);
   load({{sequence::Enable{0, true}}, {to(4000)}});
   s.stage.frames(6);
@@ -63,7 +63,7 @@ TEST_F(LongBlocks, WhatTheControllerHasNotReportedIsNamedAndIsReadByF5) {
   EXPECT_NE(value("blocks/total"), assumed);
 }
 
-TEST_F(LongBlocks, WhatCannotBeReadHoldsNothingUp) {
+TEST_F(LongBlocks, UnreadableParametersDoNotHoldUpTheRehearsal) {
   set("HSPD", 0, false);
   load({{sequence::Enable{0, true}}, {to(4000)}});
   key("F5");

@@ -55,7 +55,7 @@ struct BoundBlocks : test_blocks::BlocksStage {
   }
 };
 
-TEST_F(BoundBlocks, WhatLeavesALimitIsRefusedWithHowFarBeforeAnythingIsSent) {
+TEST_F(BoundBlocks, BlocksPastALimitAreRefusedWithTheDistance) {
   load({{sequence::Repeat{12, {by(100)}}}});
   s.click("blocks/run");
   EXPECT_THAT(value("blocks/run_refused"),

@@ -41,7 +41,7 @@ TEST_F(BlocksInAPlane, AContourStaysInItsPlaneWhenItsFieldsAreEdited) {
   EXPECT_EQ(now.plane, c.plane);
 }
 
-TEST_F(BlocksInAPlane, WhatIsNoNumberOfThatFieldChangesNothing) {
+TEST_F(BlocksInAPlane, AnInvalidNumberChangesNothing) {
   load({{sequence::Repeat{3, {{sequence::Delay{5}}}}}});
   s.click("blocks/1");
   for (const char* bad : {"2.5", "-3", "nan", "1e300", "inf", "", "7000000", "two"}) {

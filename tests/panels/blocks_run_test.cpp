@@ -84,7 +84,7 @@ TEST_F(RunBoardBlocks, F5IsRefusedWhileCommandsWait) {
   EXPECT_THAT(s.toast(), HasSubstr("Let the commands in the controller's queues run"));
 }
 
-TEST_F(RunPmxBlocks, WhatTheControllerRefusesStandsBesideRunUntilItIsMended) {
+TEST_F(RunPmxBlocks, ARefusalOfTheControllerStaysBesideRunUntilMended) {
   load({{sequence::Delay{500}}, {sequence::Custom{"", "DO2=1"}}});
   s.stage.frames(4);
   s.click("blocks/run");
@@ -155,7 +155,7 @@ TEST_F(RunBlocks, TheTimeLeftStandsOverThemWhileTheyRun) {
   EXPECT_THAT(value("blocks/left"), HasSubstr(" s left"));
 }
 
-TEST_F(RunBlocks, WhatTheControllerNeverDoesIsGreyAndShowsWhy) {
+TEST_F(RunBlocks, BlocksThatTheControllerNeverDoesAreGreyWithAReason) {
   EXPECT_THAT(s.reason("blocks/add/arc"), HasSubstr("draws no arcs"));
   EXPECT_THAT(s.reason("blocks/add/enable"), HasSubstr("motor power of a VXM"));
   EXPECT_EQ(s.reason("blocks/add/move"), "");
@@ -166,7 +166,7 @@ TEST_F(RunBlocks, WhatTheControllerNeverDoesIsGreyAndShowsWhy) {
   EXPECT_EQ(editor().sequence().steps.size(), before) << "nothing of that name can be added";
 }
 
-TEST_F(RunBoardBlocks, WhatNeedsOthersInFrontIsOffered) {
+TEST_F(RunBoardBlocks, BlocksThatNeedOthersBeforeThemAreOffered) {
   for (const char* id : {"arc", "circle", "jog", "speed_stairs"})
     EXPECT_EQ(s.reason((std::string("blocks/add/") + id).c_str()), "") << id;
 }

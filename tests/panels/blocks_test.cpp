@@ -45,7 +45,7 @@ struct VxmBlocksTest : BlocksTest {
   VxmBlocksTest() : BlocksTest("vxm") { s.now.axis_count = 2; }
 };
 
-TEST_F(BlocksTest, WhatIsClickedTogetherIsWritten) {
+TEST_F(BlocksTest, ClickedBlocksAreWrittenAsAProgram) {
   EXPECT_THAT(s.reason("blocks/to_program"), HasSubstr("There are no blocks yet"));
   s.click("blocks/add/move");
   s.type("blocks/1/to/X", "1200");
@@ -112,7 +112,7 @@ TEST_F(BlocksTest, ATargetIsTaughtWhereTheAxesAre) {
       << "what was seen last is no place to be taught";
 }
 
-TEST_F(BlocksTest, WhatCannotBeTakenIsReportedBesideItsFieldAndKeepsItFromBeingRun) {
+TEST_F(BlocksTest, AnInvalidFieldKeepsTheBlocksOutOfTheProgram) {
   s.click("blocks/add/output");
   s.type("blocks/1/output", "99");
   EXPECT_THAT(s.reason("blocks/to_program"), HasSubstr("64"));
@@ -143,7 +143,7 @@ TEST_F(BlocksTest, SpaceLeavesTheChosenOneOut) {
   EXPECT_EQ(text(), "; what comes next\nEND\n");
 }
 
-TEST_F(VxmBlocksTest, WhatCannotBeDoneIsReportedAtItsBlock) {
+TEST_F(VxmBlocksTest, ARefusalIsReportedAtItsBlock) {
   sequence::Sequence of_another = sequence::frame_of(s.tab.desk().blocks.editor.sequence());
   of_another.steps = {{sequence::Delay{500}}, {sequence::Arc{0, 0, 90, {}}}};
   s.tab.desk().blocks.editor.load(std::move(of_another));
@@ -362,7 +362,7 @@ TEST_F(BlocksTest, KeysDoWhatTheButtonsDo) {
   EXPECT_THAT(text(), HasSubstr("  DELAY=500\n"));
 }
 
-TEST_F(BlocksTest, WhatIsTypedInAFieldIsNoKeyOfTheList) {
+TEST_F(BlocksTest, KeysTypedInAFieldAreNoKeysOfTheList) {
   s.click("blocks/add/comment");
   s.type("blocks/1/text", "x");
   key("delete");
@@ -390,7 +390,7 @@ TEST_F(VxmBlocksTest, BlocksShowHowLongTheyTakeAndWhereTheyGo) {
   EXPECT_TRUE(s.stage.find("blocks/3/to/2")) << "its fields are open";
 }
 
-TEST_F(BlocksTest, WhatNeverEndsIsReported) {
+TEST_F(BlocksTest, AnEndlessLoopShowsNoTotal) {
   s.click("blocks/add/loop");
   s.type("blocks/1/times", "0");
   s.click("blocks/add/delay");

@@ -14,7 +14,7 @@ struct BoardToolBlocks : test_blocks::BlocksStage {
   BoardToolBlocks() : BlocksStage("vme58") {}
 };
 
-TEST_F(ToolBlocks, WhatLowersAndLiftsTheToolIsTypedThereAndTakenBackAsOneChange) {
+TEST_F(ToolBlocks, ToolRoutinesAreTypedInABlockAndUndoneAsOneChange) {
   s.click("blocks/add/pen");
   EXPECT_EQ(text(), "END\n");
   s.type("blocks/1/pen_down", "DO3 on, wait 200 ms\n");
@@ -37,7 +37,7 @@ TEST_F(ToolBlocks, WhatLowersAndLiftsTheToolIsTypedThereAndTakenBackAsOneChange)
   EXPECT_EQ(value("blocks/1/pen_down"), "");
 }
 
-TEST_F(ToolBlocks, WhatIsNotUnderstoodStaysInItsFieldAndHoldsTheRunBack) {
+TEST_F(ToolBlocks, ARoutineThatIsNotUnderstoodStaysAndHoldsTheRunBack) {
   s.click("blocks/add/pen");
   s.click("blocks/add/delay");
   s.click("blocks/1");

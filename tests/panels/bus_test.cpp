@@ -73,7 +73,7 @@ TEST_F(BusTest, TheStatusLineShowsTheWorstOfAllDevices) {
   EXPECT_NE(s.value("status/text").find("01 moves."), std::string::npos);
 }
 
-TEST_F(BusTest, WhatIsReportedOfADeviceNamesIt) {
+TEST_F(BusTest, AMessageOfADeviceNamesTheDevice) {
   s.console.toast(*b.tab, Severity::fault, "The controller did not answer in time.");
   s.run(0.1);
   EXPECT_EQ(s.value("toast/1"), "02: The controller did not answer in time.");

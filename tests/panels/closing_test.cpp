@@ -60,7 +60,7 @@ struct Closing : testing::Test {
   }
 };
 
-TEST_F(Closing, WhatWasTypedJustBeforeIsKept) {
+TEST_F(Closing, TextTypedJustBeforeIsKept) {
   Example& e = s.add();
   ASSERT_TRUE(e.tab->desk().kept.begin(autosave, "stage"));
   s.run(0.1);
@@ -71,7 +71,7 @@ TEST_F(Closing, WhatWasTypedJustBeforeIsKept) {
   EXPECT_EQ(kept("stage"), "I1M400");
 }
 
-TEST_F(Closing, WhatWasEmptiedJustBeforeDoesNotComeBack) {
+TEST_F(Closing, TextEmptiedJustBeforeDoesNotComeBack) {
   Example& e = s.add();
   ASSERT_TRUE(e.tab->desk().kept.begin(autosave, "stage"));
   e.tab->desk().programs.texts.set_text(0, "I1M400");
@@ -107,7 +107,7 @@ TEST_F(Closing, AListThatIsInNoFileIsAskedAbout) {
   EXPECT_TRUE(s.console.tabs().empty());
 }
 
-TEST_F(Closing, WhatMovesAndAListAreOneQuestion) {
+TEST_F(Closing, MotionAndAnUnsavedListAreOneQuestion) {
   Example& e = with_a_list();
   e.now.axes[0].activity = Activity::moving;
   s.run(0.1);
@@ -204,7 +204,7 @@ TEST_F(ClosingWhatMoves, CtrlWAsksAboutTheTabAndAgainStopsAndClosesIt) {
   EXPECT_TRUE(s.console.tabs().empty()) << "the other does nothing: it is not asked about";
 }
 
-TEST_F(ClosingWhatMoves, WhatComesToRestMeanwhileMovesNoButton) {
+TEST_F(ClosingWhatMoves, AnAxisThatComesToRestMovesNoButton) {
   resting.now.axes[0].activity = Activity::moving;
   s.run(0.1);
   EXPECT_FALSE(window_may_close());
@@ -217,7 +217,7 @@ TEST_F(ClosingWhatMoves, WhatComesToRestMeanwhileMovesNoButton) {
   EXPECT_EQ(before.min.y, after.min.y);
 }
 
-TEST_F(ClosingWhatMoves, WhatWouldBeLostIsReportedInTheSameQuestion) {
+TEST_F(ClosingWhatMoves, UnsavedWorkIsNamedInTheSameQuestion) {
   with_a_list();
   EXPECT_FALSE(window_may_close());
   EXPECT_THAT(s.value("close/why"), HasSubstr("Stage: axis 1 is moving."));
@@ -257,7 +257,7 @@ TEST_F(ClosingWhatMoves, OfWhatWasLostTheWindowAsksToo) {
                                                          "Table: Program 2 was running; no stop could"));
 }
 
-TEST_F(ClosingWhatMoves, WhatWasLostIsAskedAboutWhileItIsTriedAgain) {
+TEST_F(ClosingWhatMoves, AMotionAtALossIsAskedAboutWhileReconnecting) {
   lose(moving);
   moving.now.link.state = LinkState::connecting;
   s.run(0.1);
@@ -265,7 +265,7 @@ TEST_F(ClosingWhatMoves, WhatWasLostIsAskedAboutWhileItIsTriedAgain) {
   EXPECT_THAT(s.value("close/why"), HasSubstr("axis 1 was moving when the link was lost"));
 }
 
-TEST_F(ClosingWhatMoves, WhatIsSeenToStandAfterALossIsNotAskedAbout) {
+TEST_F(ClosingWhatMoves, AnAxisSeenAtRestAfterALossIsNotAskedAbout) {
   lose(moving);
   moving.now.link.state = LinkState::good;
   moving.now.link.when_lost = UnderWay();
@@ -275,13 +275,13 @@ TEST_F(ClosingWhatMoves, WhatIsSeenToStandAfterALossIsNotAskedAbout) {
   EXPECT_EQ(shown_at_next_start(), "");
 }
 
-TEST_F(ClosingWhatMoves, WhatStoodWhenItsLinkWasLostIsNotAskedAbout) {
+TEST_F(ClosingWhatMoves, AnAxisAtRestWhenTheLinkWasLostIsNotAskedAbout) {
   moving.now.axes[0].activity = Activity::idle;
   lose(moving);
   EXPECT_TRUE(window_may_close());
 }
 
-TEST_F(ClosingWhatMoves, WhatASignalLostIsReportedAtTheNextStart) {
+TEST_F(ClosingWhatMoves, AMotionLeftBehindByASignalIsReportedAtTheNextStart) {
   lose(moving);
   s.console.shut_down("SIGTERM");
   EXPECT_EQ(shown_at_next_start(),
@@ -307,7 +307,7 @@ TEST_F(Closing, OfABusItIsReportedWhichMembersWereLost) {
 
 // ---- a session that ends by itself
 
-TEST(Departing, WhatWasDoneIsReportedOnceAtTheNextStart) {
+TEST(Departing, TheEndingOfASessionIsReportedOnceAtTheNextStart) {
   test::Folder folder;
   IoContext io{1};
   VirtualScheduler scheduler{io};

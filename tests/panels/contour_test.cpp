@@ -59,7 +59,7 @@ TEST_F(ContourTest, ARefusedTextIsNotStarted) {
   EXPECT_EQ(s.toast(), "Line 1: no.");
 }
 
-TEST_F(ContourTest, WhatCannotBeDrawnIsNamedByItsRowAndNotRun) {
+TEST_F(ContourTest, APieceThatCannotBeDrawnIsNamedByItsRowAndNotRun) {
   line(1, "1000", "0");
   s.click("contour/add/arc");
   s.type("contour/2/x", "1000");
@@ -137,7 +137,7 @@ struct ContourUnitsTest : ::testing::Test {
   test::Folder folder;
 };
 
-TEST_F(ContourUnitsTest, WhatIsTypedInTheUnitOfTheAxesIsWrittenInTheirSteps) {
+TEST_F(ContourUnitsTest, ValuesTypedInTheAxisUnitAreWrittenInSteps) {
   s.type("contour/speed", "5");
   s.click("contour/add/line");
   s.type("contour/1/x", "2.5");
@@ -165,7 +165,7 @@ TEST_F(ContourUnitsTest, AStaircaseIsTypedInTheUnitOfItsAxis) {
   EXPECT_EQ(s.value("contour/text"), "stairs of X 2000 at 500 stop 10000\n");
 }
 
-TEST_F(ContourUnitsTest, WhatIsWrongWithAStaircaseIsReportedInThatUnit) {
+TEST_F(ContourUnitsTest, AStaircaseErrorIsReportedInTheUnitOfTheAxes) {
   s.click("contour/kind/Staircase");
   s.type("stairs/stop", "25");
   s.click("stairs/add");

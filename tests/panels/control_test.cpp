@@ -47,7 +47,7 @@ TEST_F(ControlTest, ValuesAreShownInWordsAndTheirAgeIsNotHidden) {
   EXPECT_EQ(s.value("readout/MM"), "incremental?");
 }
 
-TEST_F(ControlTest, WhatIsInSightIsWatchedAndTheRestIsNot) {
+TEST_F(ControlTest, OnlyGroupsInSightAreWatched) {
   const auto* watch = s.last<intent::Watch>();
   ASSERT_TRUE(watch);
   EXPECT_EQ(watch->groups, 0b110111u) << "all but the variables";
@@ -232,7 +232,7 @@ struct ControlUnitsTest : ::testing::Test {
   test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, with_units()};
 };
 
-TEST_F(ControlUnitsTest, WhatIsTypedInTheUnitOfAnAxisIsSentInItsPulses) {
+TEST_F(ControlUnitsTest, ValuesTypedInTheAxisUnitAreSentInPulses) {
   s.type("action/change_speed/X/speed", "2.5");
   s.click("action/change_speed/X/go");
   ASSERT_TRUE(s.last<intent::Act>());
@@ -263,7 +263,7 @@ TEST_F(ControlUnitsTest, PlacesAreReportedInTheUnitOfTheirAxis) {
   EXPECT_EQ(s.value("readout/LTPU"), "4691.4");
 }
 
-TEST_F(ControlUnitsTest, WhatDoesAwayWithAStateIsOfferedOnlyWhileItIsThere) {
+TEST_F(ControlUnitsTest, AnActionThatClearsAStateIsOfferedOnlyInThatState) {
   EXPECT_FALSE(s.stage.find("action/clear/Y/go"));
   set_readout("SLSY", 10);
   EXPECT_FALSE(s.stage.find("action/clear/X/go"));
@@ -272,7 +272,7 @@ TEST_F(ControlUnitsTest, WhatDoesAwayWithAStateIsOfferedOnlyWhileItIsThere) {
   EXPECT_THAT(s.last<intent::Act>()->values, ElementsAre(1));
 }
 
-TEST(ControlOfPmx, WhatMeansNothingNowIsAWordAndNothingStandsTwice) {
+TEST(ControlOfPmx, AnUnusedFieldIsAWordAndNothingIsShownTwice) {
   Control panel;
   test::PanelStage s{panel, 864, 1400, 1, gui::Tier::wide, true, pmx_4ex_sa::make_catalog({}).value()};
   s.now.axis_count = 4;
@@ -292,7 +292,7 @@ TEST(ControlOfPmx, WhatMeansNothingNowIsAWordAndNothingStandsTwice) {
 }
 
 // The second column of the settings stands under the second of two tables.
-TEST(ControlOfPmx, WhatIsUnderTheTablesStandsOnTheirEdges) {
+TEST(ControlOfPmx, ControlsUnderTheTablesAlignWithTheirEdges) {
   for (const float width : {864.0f, 1046.0f, 704.0f}) {
     Control panel;
     test::PanelStage s{panel,
@@ -388,7 +388,7 @@ TEST(ControlOfPmx, AnArcWithoutARadiusIsNotDrawnAndReportsWhy) {
       << "it begins the first column";
 }
 
-TEST_F(ControlTest, WhatTheControllerReportsOfItself) {
+TEST_F(ControlTest, TheFirmwareAndTheConsoleVersionAreShown) {
   EXPECT_EQ(s.value("about/firmware"), "not told");
   s.now.identity.firmware = "V319";
   s.stage.frames(2);
@@ -396,7 +396,7 @@ TEST_F(ControlTest, WhatTheControllerReportsOfItself) {
   EXPECT_THAT(s.value("about/console"), HasSubstr("Handwheel"));
 }
 
-TEST_F(ControlTest, WhatAnOlderFirmwareLacksIsListed) {
+TEST_F(ControlTest, SettingsThatAnOlderFirmwareLacksAreListed) {
   for (ParamState& p : s.now.params) p.known = false;
   s.stage.frames(2);
   EXPECT_EQ(s.value("about/older"), "not known: read the set-up first");

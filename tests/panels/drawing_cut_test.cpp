@@ -20,7 +20,7 @@ std::string saw(int teeth) {
   return text + "0\nENDSEC\n0\nEOF\n";
 }
 
-TEST_F(DrawingTabTest, WhatGoesThroughABufferIsNotCutWhileALoopIsClosed) {
+TEST_F(DrawingTabTest, ABufferedDrawingIsNotCutWhileALoopIsClosed) {
   ASSERT_TRUE(write_file(file, saw(2000)));
   drop();
   ASSERT_EQ(s.reason("drawing/cut"), "");

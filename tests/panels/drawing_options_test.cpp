@@ -103,7 +103,7 @@ TEST_F(DrawingTabTest, ThePointerIsShownInMillimetresOfTheTable) {
   EXPECT_THAT(s.value("drawing/pointer"), HasSubstr(" mm"));
 }
 
-TEST_F(DrawingTabTest, WhatWasChosenStaysWhereTheNextFileCannotBeRead) {
+TEST_F(DrawingTabTest, ChosenOptionsStayWhenTheNextFileIsUnreadable) {
   drop();
   s.click("drawing/layer/holes");
   s.stage.frames(6);

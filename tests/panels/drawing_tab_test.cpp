@@ -132,7 +132,7 @@ TEST_F(DrawingTabTest, ABarShowsTheProgress) {
   EXPECT_EQ(s.value("drawing/progress"), "") << "it is done";
 }
 
-TEST_F(DrawingTabTest, WhatIsNoNumberIsNoScale) {
+TEST_F(DrawingTabTest, AnInvalidNumberIsNoScale) {
   drop();
   two_hundred_pulses_in_a_mm();
   s.type("drawing/per_unit/X", "-3");
@@ -193,7 +193,7 @@ TEST_F(DrawingTabTest, AClickSetsTheOrigin) {
   EXPECT_THAT(text, HasSubstr("X0Y2000\n"));
 }
 
-TEST_F(DrawingTabTest, WhatLeavesTheTableIsNamed) {
+TEST_F(DrawingTabTest, ChainsThatLeaveTheTableAreCounted) {
   drop();
   EXPECT_FALSE(s.stage.find("drawing/off"));
   s.type("drawing/table/right", "25");
@@ -229,7 +229,7 @@ TEST_F(DrawingTabTest, CuttingIsAskedAboutFirst) {
               HasSubstr("Tool off: output 2 off"));
 }
 
-TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
+TEST_F(DrawingTabTest, AStoppedDrawingGoesOnFromItsChain) {
   drop();
   s.click("drawing/cut");
   s.click("drawing/ask_cut/yes");
@@ -269,7 +269,7 @@ TEST_F(DrawingTabTest, WhatWasStoppedGoesOnFromItsChain) {
   EXPECT_LE(asked->pieces->all.front().first_step, 6);
 }
 
-TEST_F(DrawingTabTest, WhatWasStoppedIsNotForgottenForACutThatIsRefused) {
+TEST_F(DrawingTabTest, ARefusedCutDoesNotForgetTheStoppedDrawing) {
   drop();
   s.click("drawing/cut");
   s.click("drawing/ask_cut/yes");

@@ -54,7 +54,7 @@ TEST_F(Threads, WithoutRoomForBothTheSourceLineStays) {
   EXPECT_LE(source->rect.max.x, stop->rect.min.x);
 }
 
-TEST_F(Threads, WhatIsNotWhatWasSentIsRunOnAWordOnly) {
+TEST_F(Threads, ATornProgramIsRunOnlyOnTheUsersWord) {
   PanelStage s(panel, 864, 700, 1, Tier::wide, true, catalog());
   load(s);
   s.now.slots_torn = 1;

@@ -116,7 +116,7 @@ TEST(Follow, ARenamedDeviceIsOpenedAtItsNewAddressWithAllThatIsTheUsers) {
   EXPECT_EQ(b.console.recent().list().front().address, b.tab().address().text());
 }
 
-TEST(Follow, WhatMayStillMoveIsNotLeftBehindWithItsStop) {
+TEST(Follow, ADeviceThatMayStillMoveIsNotLeftWithAPendingStop) {
   Bench b("dmx-k-sa", {"01"});
   b.open("dmx-k-sa@serial:/dev/ttyS9,baud=9600,id=01");
   b.do_all(intent::SetParam("DN", 7, true), 2);

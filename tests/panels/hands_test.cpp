@@ -247,7 +247,7 @@ TEST_F(HandsTest, TypingAloneMovesNothing) {
   EXPECT_TRUE(a.sent.empty());
 }
 
-TEST_F(HandsTest, WhatIsTypedStaysWhenItIsRefused) {
+TEST_F(HandsTest, ATypedTargetStaysWhenItIsRefused) {
   MUST(s.hand.type("goto/1", "400\n"));
   a.outcome(IntentState::refused, "The axis stands on its limit. Nothing was sent.");
   s.run(0.1);

@@ -91,7 +91,7 @@ TEST_F(JogUnitsTest, AnAxisWithoutAUnitCountsSteps) {
   EXPECT_EQ(s.value("jog/own_units"), "A tap: 1 0.100 mm, 2 1 step. Held: 1 5.000 mm/s, 2 2000 steps/s.");
 }
 
-TEST_F(JogUnitsTest, WhatMostAxesShareIsShownOnce) {
+TEST_F(JogUnitsTest, AValueSharedByMostAxesIsShownOnce) {
   Example& b = s.add(example_catalog(4));
   b.tab->settings.profile.unit = "real";
   b.tab->settings.profile.axes[0].unit_choice = "screw of 1 mm";
@@ -159,7 +159,7 @@ TEST_F(JogUnitsTest, ASpeedIsNotNegativeOnAReversedAxis) {
   EXPECT_EQ(s.value("jog/speed"), "5.000 mm/s");
 }
 
-TEST_F(JogUnitsTest, WhatATapMovesIsAlwaysLit) {
+TEST_F(JogUnitsTest, TheStepOfATapIsAlwaysLit) {
   show_in("screw of 1 mm", "screw of 1 mm");
   MUST(s.hand.click("jog/step/1"));
   MUST(s.hand.click("dro/unit"));

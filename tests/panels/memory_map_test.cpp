@@ -46,7 +46,7 @@ TEST_F(MemoryMapTest, AxisDataIsBigEndianAndSigned) {
   EXPECT_EQ(s.value("register/0x000"), "65534") << "an index has no sign";
 }
 
-TEST_F(MemoryMapTest, WhatHasJustChangedIsMarkedForAWhile) {
+TEST_F(MemoryMapTest, AChangedRegisterIsMarkedForAWhile) {
   EXPECT_FALSE(s.stage.find("register/0x480/changed"));
   poke(0x480, 4, 77);
   EXPECT_TRUE(s.stage.find("register/0x480/changed"));

@@ -206,7 +206,7 @@ TEST(MessagePlace, OnAPageItIsInTheStatusLine) {
   EXPECT_FALSE(s.stage.find("message/strip"));
 }
 
-TEST(MessagePlace, WhatWantedALinkGoesWhenThereIsOne) {
+TEST(MessagePlace, AMessageAboutALostLinkGoesWhenTheLinkIsBack) {
   ConsoleStage s;
   Example& a = s.add();
   a.now.link.state = LinkState::lost;
@@ -221,7 +221,7 @@ TEST(MessagePlace, WhatWantedALinkGoesWhenThereIsOne) {
   EXPECT_FALSE(s.stage.find("toast/2"));
 }
 
-TEST(MessagePlace, WhatAClosedControllerRefusedGoesWithIt) {
+TEST(MessagePlace, MessagesOfAClosedControllerGoWithIt) {
   ConsoleStage s;
   s.add();
   Example& b = s.add();

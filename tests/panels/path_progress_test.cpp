@@ -46,7 +46,7 @@ TEST_F(PathProgressTest, WhereThePassIsNotKnownNothingIsTakenForDone) {
   EXPECT_EQ(progress.done(), std::nullopt);
 }
 
-TEST_F(PathProgressTest, WhatWasClickedIsNotAtWork) {
+TEST_F(PathProgressTest, AClickedLineIsNotAtWork) {
   subject.lit = 1, subject.lit_pass = 0;
   progress.follow(subject);
   EXPECT_EQ(progress.lit().size(), 1u);

@@ -199,7 +199,7 @@ TEST_F(PathToolTest, IsThatOfTheBlocksWithoutBeingChosen) {
 
 // ---- what is saved
 
-TEST_F(PathShownTest, WhatIsSavedShowsItsDirectionAndItsScale) {
+TEST_F(PathShownTest, ASavedPathShowsItsDirectionAndScale) {
   rehearse("I1M4000,\nI2M3000,\n");
   const std::string svg = saved("hw_path_directed.svg");
   EXPECT_THAT(svg, HasSubstr("<g id=\"rehearsed-direction\""));

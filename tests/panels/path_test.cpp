@@ -50,7 +50,7 @@ TEST_F(PathTest, ASquareIsDrawnAndMeasured) {
   EXPECT_GE(inked, 1);
 }
 
-TEST_F(PathTest, F5SaysWhyNothingIsRehearsed) {
+TEST_F(PathTest, F5ShowsWhyNothingIsRehearsed) {
   ASSERT_TRUE(s.stage.hand.key("F5"));
   s.stage.frames(2);
   EXPECT_THAT(s.toast(), HasSubstr("The program is empty."));
@@ -104,7 +104,7 @@ TEST_F(PathTest, WheelKeysAndDragMoveTheView) {
   EXPECT_NEAR(per_px(), before, before * 0.01);
 }
 
-TEST_F(PathTest, WhatComesWithThePressIsNoDrag) {
+TEST_F(PathTest, PointerMotionWithThePressIsNoDrag) {
   rehearse("I1M400,\nI2M400,\n");
   const auto half = static_cast<float>(200 / per_px());
   const ImVec2 side = in_view(half, 0);

@@ -111,7 +111,7 @@ TEST_F(ProgramTest, ReadableValuesAreReadBeforeARehearsal) {
   EXPECT_THAT(s.value("rehearsal/result"), HasSubstr("1 min"));
 }
 
-TEST_F(ProgramTest, WhatCannotBeReadDoesNotHoldUpARehearsal) {
+TEST_F(ProgramTest, UnreadableParametersDoNotHoldUpARehearsal) {
   write("I1M400");
   s.now.params[1].known = false;
   s.click("program/simulate");
@@ -163,7 +163,7 @@ TEST_F(ProgramTest, ErrorHasASentenceAndAMend) {
   EXPECT_EQ(s.reason("program/run"), "");
 }
 
-TEST_F(ProgramTest, WhatIsHeldGoesOnWhateverIsTypedMeanwhile) {
+TEST_F(ProgramTest, AHeldProgramGoesOnWhateverIsTypedMeanwhile) {
   s.now.program.run = RunState::held, s.now.program.owned = true, s.now.program.slot = 0;
   write("I1\nBAD");
   EXPECT_EQ(s.reason("program/run"), "");
@@ -197,7 +197,7 @@ TEST_F(PmxProgramTest, EachVerbStandsOnce) {
   EXPECT_FALSE(s.stage.find("program/more/Empty in controller"));
 }
 
-TEST_F(PmxProgramTest, WhatIsShownAsBlocksBecomesThem) {
+TEST_F(PmxProgramTest, AProgramShownAsBlocksBecomesBlocks) {
   const gui::BlockList& blocks = s.tab.desk().blocks;
   s.tab.desk().programs.texts.set_text(0, "ABS\nX100\nWAITX\nEND\n");
   s.click("program/more");

@@ -86,7 +86,7 @@ TEST_F(RefusalCardTest, EachRowHasItsOwnAndNoneLiesOnAnother) {
   EXPECT_TRUE(find("goto/U/refused"));
 }
 
-TEST_F(RefusalCardTest, WhatItOffersTakesNoPressThatWasOnItsWayBefore) {
+TEST_F(RefusalCardTest, AButtonOnTheCardTakesNoPressThatWasUnderWay) {
   open(1440, 900);
   refuse("X");
   const ImVec2 at = find("goto/X/nearest")->rect.centre();

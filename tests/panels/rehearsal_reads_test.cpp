@@ -47,7 +47,7 @@ TEST_F(RehearsalReads, EachProgramThatTheRunComesTo) {
   EXPECT_THAT(s.value("rehearsal/assumed"), Not(HasSubstr("program ")));
 }
 
-TEST_F(RehearsalReads, WhatCannotBeReadIsNamed) {
+TEST_F(RehearsalReads, AnUnreadProgramIsNamed) {
   rehearse("I1M400,JM2");
   ASSERT_TRUE(s.last<intent::UploadProgram>());
   s.settle(IntentState::refused, "An axis moves.");

@@ -95,7 +95,7 @@ TEST(RestOfText, SpeedsOfSingleMotorsAreSetAgainInTheirOrder) {
 }
 
 /// On its last pass L leaves the command before it out, which no loop of blocks does.
-TEST(RestOfText, WhatNoBlockCanHoldIsRefused) {
+TEST(RestOfText, TextThatNoBlockCanHoldIsRefused) {
   const auto loop = rest_at("vxm", "I1M100,\nI2M100,\nL4,\n", 2, 1);
   ASSERT_FALSE(loop);
   EXPECT_THAT(loop.error().what, HasSubstr("a loop without a mark of its own"));
@@ -114,7 +114,7 @@ TEST(RestOfText, OneAxisAloneIsFollowedInItsOwnMode) {
   EXPECT_THAT(text, HasSubstr("MA,1000; GO\nWA\n# Here the rest begins.\nMA,0; GO\n"));
 }
 
-TEST(RestOfText, WhatIsNotKnownIsNamedWithItsLine) {
+TEST(RestOfText, AnUnknownStateIsNamedWithItsLine) {
   const auto own = rest_at("pmx-4ex-sa", "ABS\nV1=5\nX1000\nWAITX\nX0\nWAITX\nEND\n", 5);
   ASSERT_FALSE(own);
   EXPECT_THAT(own.error().what, HasSubstr("The state after \"V1=5\" above line 5 is unknown."));

@@ -129,7 +129,7 @@ TEST(RightColumn, TheBenchIsFoldedByItselfWhereThereIsNoRoomAndOpensOnAPress) {
   EXPECT_FALSE(s.hand.exists("bench/jam/X"));
 }
 
-TEST(RightColumn, WhatIsFoldedStaysFoldedInTheNextRun) {
+TEST(RightColumn, AFoldedPartStaysFoldedInTheNextRun) {
   test::Folder folder;
   const UserFolders folders = UserFolders::below(folder.path());
   {

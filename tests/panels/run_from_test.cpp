@@ -134,7 +134,7 @@ TEST_F(RunFromTest, AnAxisThatNoStepBeforeHasMovedComesToWhereTheRehearsalBegan)
   EXPECT_THAT(asked, HasSubstr("Move to 1: 400, 2: 0. Tool down.")) << "the line that is drawn begins there";
 }
 
-TEST_F(RunFromTest, WhatWouldLeaveALimitIsRefusedWithHowFar) {
+TEST_F(RunFromTest, ARunPastALimitIsRefusedWithTheDistance) {
   rehearse(of_blocks());
   s.now.axes[1].travel = {false, true, {}, Steps(300)};
   s.stage.frames(2);
@@ -242,7 +242,7 @@ TEST_F(RunFromTest, AStopWhileItIsAskedIsNotOverrun) {
   EXPECT_TRUE(s.sent.empty());
 }
 
-TEST_F(RunFromTest, WhatRunsNowIsNotReplaced) {
+TEST_F(RunFromTest, ARunningProgramIsNotReplaced) {
   rehearse(of_blocks());
   click_on_second_side();
   s.now.program.owned = true;

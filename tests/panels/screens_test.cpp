@@ -235,7 +235,7 @@ TEST(ScreensOnce, StopAllAndStatusNeverLeaveTheWindow) {
   }
 }
 
-TEST(ScreensOnce, WhatIsDoneEveryDayNeedsNoScrolling) {
+TEST(ScreensOnce, EverydayControlsNeedNoScrolling) {
   for (const int axes : {1, 2, 3, 4}) {
     Catalog c = example_catalog(axes);
     c.can.interpolates = true;
@@ -506,7 +506,7 @@ TEST(ScreensOnce, AToastNamesItsControllerOverTheTabOfAnother) {
   EXPECT_EQ(s.value("toast/1"), "Stage: The home switch is not there.");
 }
 
-TEST(ScreensOnce, WhatWasReportedOfATextGoesWhenTheTextChanges) {
+TEST(ScreensOnce, MessagesAboutATextGoWhenTheTextChanges) {
   ConsoleStage s;
   Example& a = s.add();
   a.tab->panels.in_front = "program";

@@ -72,7 +72,7 @@ TEST_F(ServoAxis, ItsPowerStandsStillWhileItsStateChanges) {
   }
 }
 
-TEST_F(ServoAxis, WhatWouldDriveItThereIsAskedFirstAndGoesOutAgainWithTheAnswer) {
+TEST_F(ServoAxis, ClosingTheLoopIsAskedFirstAndSentAgainWithTheAnswer) {
   open(2);
   leave_behind();
   second().loop = Loop::open;

@@ -35,7 +35,7 @@ TEST_F(SetupTest, EditedValueGoesOutWithWriteOnly) {
   EXPECT_THAT(s.reason("setup/write"), HasSubstr("No value here differs"));
 }
 
-TEST_F(SetupTest, WhatCountsStepsIsTypedInTheUnitOfItsAxis) {
+TEST_F(SetupTest, AParameterInStepsIsTypedInTheUnitOfItsAxis) {
   Catalog catalog;
   {
     auto made = pmx_4ex_sa::make_catalog({});
@@ -193,7 +193,7 @@ TEST_F(SetupTest, AllFieldsBeginAndEndOnOneEdge) {
   }
 }
 
-TEST_F(SetupTest, WhatItWasStandsBesideAChangeHoweverNarrowThePanelIs) {
+TEST_F(SetupTest, TheFormerValueStandsBesideAChangeInANarrowPanel) {
   panels::Setup fresh;
   test::PanelStage other(fresh, 440, 700, 1, gui::Tier::narrow);
   other.stage.frames(3);

@@ -139,7 +139,7 @@ TEST_F(TerminalTest, ChosenLinesAreCopied) {
   EXPECT_THAT(ImGui::GetClipboardText(), Not(HasSubstr("second")));
 }
 
-TEST_F(TerminalTest, WhatHappenedStandsInItsPlaceAndCanBeNarrowedAndCopied) {
+TEST_F(TerminalTest, EventsStandInTheirPlaceAndCanBeFilteredAndCopied) {
   s.type("terminal/command", "I1M400,R\n");
   s.tab.desk().records.events.add({gui::LoggedEvent::Mark::limit, true, s.tab.clock(), "1",
                                    "motion ended on its + limit, at 400 steps", 0.4});

@@ -342,7 +342,7 @@ TEST_F(TravelTest, ARowOfManyAxesGoesByTheSpeedThatStandsBelowIt) {
   EXPECT_EQ(b.last<intent::MoveTo>()->speed, Pps(500));
 }
 
-TEST_F(TravelTest, WhatIsTypedForGoStaysWhereItIsInAnotherUnit) {
+TEST_F(TravelTest, ValuesTypedForGoAreConvertedToAnotherUnit) {
   MUST(s.hand.type("goto/speed", "5"));
   MUST(s.hand.type("goto/1", "20"));
   a.tab->settings.profile.unit.clear();

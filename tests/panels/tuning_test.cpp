@@ -127,7 +127,7 @@ TEST_F(TuningTest, TheOutputIsShownAsWorkedOutAndOnlyWhereItIsKnown) {
   EXPECT_TRUE(s.stage.find("tuning/output")) << "nothing jumps while the next one begins";
 }
 
-TEST_F(TuningTest, WhatAGapTouchesIsReportedToBeUnsure) {
+TEST_F(TuningTest, AMeasureAcrossAGapIsReportedAsUnsure) {
   s.click("tuning/record");
   samples(0.5);
   missing = 40;
@@ -198,7 +198,7 @@ TEST_F(TuningTest, BetterAndWorseAreReportedWhenTheScatterIsKnown) {
   EXPECT_THAT(s.value("tuning/measure/overshoot/change"), HasSubstr("better"));
 }
 
-TEST_F(TuningTest, WhatLiesWithinTheScatterIsTheSame) {
+TEST_F(TuningTest, ADifferenceWithinTheScatterCountsAsTheSame) {
   learn_scatter({0.45, 0.5, 0.55});
   s.click("tuning/record");
   samples(0.5);

@@ -57,7 +57,7 @@ TEST_F(VariablesTest, TheLineTakesThemAsTheMakerWritesThem) {
   EXPECT_EQ(s.last<intent::SetVariable>()->number, 7);
 }
 
-TEST_F(VariablesTest, WhatCannotBeUnderstoodSendsNothing) {
+TEST_F(VariablesTest, AnInvalidCommandSendsNothing) {
   const std::size_t sent = s.sent.size();
   s.type("var/command", "V100=1\n");
   EXPECT_EQ(s.sent.size(), sent);

@@ -76,7 +76,7 @@ TEST_F(BusPortTest, AMessageMayComeInPieces) {
   EXPECT_EQ(ear.received, bytes({0x12, 0x34}));
 }
 
-TEST_F(BusPortTest, WhatIsNoMessageEndsTheConnectionAndNotTheBoard) {
+TEST_F(BusPortTest, AnInvalidMessageEndsTheConnectionAndNotTheBoard) {
   auto client = raw();
   Ear ear(*client);
   client->send("GET / HTTP/1.1\r\n");

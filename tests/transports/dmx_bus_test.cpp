@@ -242,7 +242,7 @@ TEST_F(DmxBus, AStopOfOneThatIsNotConnectedTakesBackWhatWaitsForItElsewhere) {
     }
 }
 
-TEST_F(DmxBus, WhatIsTypedForADeviceThatIsBeingStoppedWaitsThere) {
+TEST_F(DmxBus, ACommandForADeviceBeingStoppedWaitsThere) {
   build_and_connect(2);
   Member &speaker = *members[0], &other = *members[1];
   for (const char* text : {"EO=1", "HSPD=20000", "ACC=2000", "J+"}) send(other, text);
@@ -351,7 +351,7 @@ TEST_F(DmxBus, ATextToAllThatBringsAnAddressShiftsNoAnswers) {
   for (const auto& member : members) EXPECT_THAT(member->notices, IsEmpty());
 }
 
-TEST_F(DmxBus, AStopThatALostWireSwallowsIsOwedByAllWhoReceivedIt) {
+TEST_F(DmxBus, AStopLostWithTheLinkIsPendingForAllItsReceivers) {
   for (const bool at_once : {true, false}) {
     build_and_connect(3);
     for (const auto& member : members) {
@@ -380,7 +380,7 @@ TEST_F(DmxBus, AStopThatALostWireSwallowsIsOwedByAllWhoReceivedIt) {
   }
 }
 
-TEST_F(DmxBus, WhatAnotherDeviceHasItStoreIsStoredWhenItReportsIt) {
+TEST_F(DmxBus, AStoreSentThroughAnotherDeviceCountsOnceConfirmed) {
   build_and_connect(2);
   Member& other = *members[1];
   other.pump->post(Intent(1, intent::SetParam("SLR", 900)));

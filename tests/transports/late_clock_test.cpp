@@ -80,7 +80,7 @@ TEST_F(LateClock, QuestionsInTurnTakeTheTimeOfTheirBytes) {
   stream->listen(nullptr);
 }
 
-TEST_F(LateClock, WhatTheKernelNeedsToHandOverIsNotCounted) {
+TEST_F(LateClock, DelaysOfTheKernelAreNotCounted) {
   Ear ear(*stream);
   ask(ear, "X", 9);
   const Instant began = clock.now();

@@ -73,7 +73,7 @@ TEST_F(Open, TheTransportsKeysAreTakenTheOthersGoToTheDevice) {
   EXPECT_FALSE((*make({}))->options().byte_times);
 }
 
-TEST_F(Open, WhatIsWrongIsNamed) {
+TEST_F(Open, ABadOptionIsRefusedWithItsReason) {
   EXPECT_NE(refusal({{"wire", "wet"}}).find("wire=wet"), std::string::npos);
   EXPECT_NE(refusal({{"speed", "fast"}}).find("speed=fast"), std::string::npos);
   EXPECT_NE(refusal({{"speed", "0"}}).find("above 0"), std::string::npos);

@@ -105,7 +105,7 @@ TEST_F(PtyEndpoint, BytesWithoutAReaderAreLost) {
   ::close(fd);
 }
 
-TEST_F(PtyEndpoint, WhatAClientDidNotReadIsNotReadByTheNext) {
+TEST_F(PtyEndpoint, AReplyLeftUnreadByAClientIsNotReadByTheNext) {
   serve();
   int fd = open_client();
   ASSERT_EQ(::write(fd, "X", 1), 1);

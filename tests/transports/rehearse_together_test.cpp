@@ -109,7 +109,7 @@ TEST_F(BusAtWork, IsRehearsedFromWhereItStands) {
   EXPECT_NEAR(from_there->duration_s, draw(two_chains()), 0.01 * from_there->duration_s);
 }
 
-TEST_F(BusAtWork, WhatTakesTooLongIsReportedAsFarAsItCame) {
+TEST_F(BusAtWork, ALongRehearsalIsReportedAsFarAsItCame) {
   const auto seen = rehearse_together(two_chains(), address, states(), opener, std::chrono::seconds(4));
   ASSERT_TRUE(seen) << seen.error().sentence();
   EXPECT_FALSE(seen->finished);
@@ -234,7 +234,7 @@ class InPieces : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Each, InPieces, testing::Values("vxm", "pmx-4ex-sa"),
                          [](const auto& info) { return std::string(info.param).substr(0, 3); });
 
-TEST_P(InPieces, WhatIsLeftAtEachStepIsWhatWasRehearsed) {
+TEST_P(InPieces, TheRunTakesTheTimesThatWereRehearsed) {
   const bool stores_little = session().catalog().program.capacity < 1000;
   const auto pieces = pieces_of(many_chains(session().catalog(), stores_little ? 12 : 40, 36));
   ASSERT_TRUE(pieces);
@@ -259,7 +259,7 @@ TEST_P(InPieces, WhatIsLeftAtEachStepIsWhatWasRehearsed) {
   for (const auto& [step, t] : came_to) EXPECT_NEAR(seen->when(step), t, 0.02 * took + 1) << step;
 }
 
-TEST_P(InPieces, WhatTakesTooLongIsReportedAsFarAsItCame) {
+TEST_P(InPieces, ALongRehearsalIsReportedAsFarAsItCame) {
   const auto pieces = pieces_of(many_chains(session().catalog(), 40, 36));
   ASSERT_TRUE(pieces);
   const auto seen = rehearsed(pieces, std::chrono::seconds(20));

@@ -155,7 +155,7 @@ TEST_F(Serial, APortThatDoesNotExist) {
   EXPECT_NE(sentence.find("handwheel scan"), std::string::npos);
 }
 
-TEST_F(Serial, WhatIsNoSerialPort) {
+TEST_F(Serial, ADeviceOrFolderThatIsNoSerialPortIsRefused) {
   EXPECT_NE(refusal_sentence("/dev/null", PortRefusal::not_serial).find("not a serial port"),
             std::string::npos);
   EXPECT_NE(refusal_sentence("/tmp", PortRefusal::not_serial).find("not a serial port"), std::string::npos);
@@ -210,7 +210,7 @@ TEST_F(Serial, SendingAfterThePullIsHarmless) {
   EXPECT_FALSE(stream->set_rate(9600));
 }
 
-TEST_F(Serial, WhatStoodThereBeforeIsNotRead) {
+TEST_F(Serial, BytesFromBeforeTheOpeningAreNotRead) {
   const int early = ::open(port.c_str(), O_RDWR | O_NOCTTY);
   termios raw{};
   ::tcgetattr(early, &raw);

@@ -96,7 +96,7 @@ TEST_F(Serve, AReceivedByteActsWhenItsLastBitIsIn) {
   EXPECT_EQ(toy(*host).received(), "X");
 }
 
-TEST_F(Serve, WhatHappensByItselfComesAtItsTime) {
+TEST_F(Serve, UnsolicitedBytesComeAtTheirTime) {
   auto host = make();
   auto stream = *host->plug_in();
   Ear ear(*stream, &clock);

@@ -46,7 +46,7 @@ TEST_F(TcpTransport, CarriesBytesBothWays) {
 }
 
 // A motion command that waits in a dead network must not start when the network is back.
-TEST_F(TcpTransport, WhatHasNotLeftAWireThatIsGivenUpNeverArrives) {
+TEST_F(TcpTransport, UnsentBytesOfADroppedConnectionNeverArrive) {
   auto near = connect();
   const std::string much(700'000, 'X');
   near->send(much);  // nobody reads yet: most of it waits in the two kernels

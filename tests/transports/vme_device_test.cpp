@@ -100,7 +100,7 @@ TEST_F(VmeDeviceTest, AWindowThatVanishesIsAFaultAndNoCrash) {
   EXPECT_FALSE(run(**window, burst)) << "it stays gone";
 }
 
-TEST_F(VmeDeviceTest, WhatIsWrongIsReported) {
+TEST_F(VmeDeviceTest, AnUnusableDeviceIsRefusedWithItsReason) {
   auto missing = open_vme_device(clock, path, 0xF000);
   ASSERT_FALSE(missing);
   EXPECT_THAT(missing.error().sentence(), HasSubstr("There is no " + path));

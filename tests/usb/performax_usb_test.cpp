@@ -110,7 +110,7 @@ TEST_F(PerformaxUsb, OpensFlushesTalksAndCloses) {
   EXPECT_TRUE(received("PP|MST|ID|again|"));
 }
 
-TEST_F(PerformaxUsb, WhatWasAskedBeforeIsNoAnswer) {
+TEST_F(PerformaxUsb, ALeftoverReplyIsNoAnswer) {
   EmulatedUsb& device = plug_in("4ex00");
   device.leave_reply("old");
   open_good();

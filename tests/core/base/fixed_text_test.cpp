@@ -5,7 +5,7 @@
 namespace hw {
 namespace {
 
-TEST(FixedText, WhatFitsIsKeptAsItIs) {
+TEST(FixedText, TextThatFitsIsKeptUnchanged) {
   EXPECT_EQ(FixedText<8>("12345678").view(), "12345678");
   EXPECT_TRUE(FixedText<8>("").empty());
 }

@@ -6,7 +6,7 @@
 namespace hw {
 namespace {
 
-TEST(Ring, WhatLeavesPlacesForOthersIsRefusedFirst) {
+TEST(Ring, APushThatLeavesRoomForOthersIsRefusedFirst) {
   Ring<int> ring(8);
   const auto put = [&ring](int value, std::size_t left_for_others) {
     return ring.push_in_place([value](int& slot) { slot = value; }, left_for_others);

@@ -10,7 +10,7 @@ TEST(ShownText, TextOfAnyLanguageStaysAsItIs) {
     EXPECT_EQ(shown_text(text, 100), text);
 }
 
-TEST(ShownText, WhatWouldActIsWrittenOut) {
+TEST(ShownText, ControlCharactersAndInvalidBytesAreEscaped) {
   const std::pair<const char*, const char*> cases[] = {
       {"a\x1B[2Jb", "a\\x1B[2Jb"},
       {"a\nb\tc", "a\\x0Ab\\x09c"},
@@ -31,7 +31,7 @@ TEST(ShownText, LineEndsStayWhereTheyAreWanted) {
   EXPECT_EQ(shown_text("a\n  b\tc\r\x1B", 100, LineEnds::kept), "a\n  b\tc\\x0D\\x1B");
 }
 
-TEST(ShownText, WhatIsTooLongIsCutBetweenCharactersAndCounted) {
+TEST(ShownText, LongTextIsCutBetweenCharactersAndTheRestCounted) {
   EXPECT_EQ(shown_text(std::string(10'000'000, 'U'), 5), "UUUUU... (9999995 bytes more)");
   EXPECT_EQ(shown_text("ab\u00DFc", 3), "ab\u00DF... (1 bytes more)");
   EXPECT_EQ(shown_text("abc", 3), "abc");

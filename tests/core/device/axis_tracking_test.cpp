@@ -78,7 +78,7 @@ TEST_F(AxisTrackingTest, AnAnswerToAnEarlierQuestionDoesNotEndIt) {
   EXPECT_EQ(a().ended_by, EndedBy::nothing);
 }
 
-TEST_F(AxisTrackingTest, WhatEndsShortOfItsTargetEndedAtALimitOrElsewhere) {
+TEST_F(AxisTrackingTest, AMoveShortOfItsTargetEndedAtALimitOrElsewhere) {
   tracking.begun(0, {Activity::moving, Steps(300)});
   reading.limit_minus = true;
   read(100, false);

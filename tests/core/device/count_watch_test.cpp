@@ -58,7 +58,7 @@ TEST_F(CountWatchTest, ASlowRoundLeavesTimeForALongMotion) {
   EXPECT_EQ(reads(9000, 20), 0u);
 }
 
-TEST_F(CountWatchTest, WhatGoesOutExplainsIt) {
+TEST_F(CountWatchTest, ASentCommandExplainsAChangedCount) {
   watch.disturbed();
   EXPECT_EQ(reads(0, 20), 0u);
 }
@@ -203,7 +203,7 @@ TEST_F(CountWatchInFlight, AHomeSearchOrAProgramMaySetIt) {
   EXPECT_EQ(reads(5000, 20), 0u);
 }
 
-TEST_F(CountWatchTest, WhatTheEncoderOfAFreeMotorCountsMayBeTurnedByHand) {
+TEST_F(CountWatchTest, TheEncoderOfAFreeMotorMayBeTurnedByHand) {
   axis.in_counts = true, axis.enabled = false;
   EXPECT_EQ(reads(0, 20), 0u);
   axis.in_counts = false;
@@ -238,7 +238,7 @@ TEST_F(CountWatchTest, AnEncoderMayCountFasterThanTheMotorIsPulsed) {
   EXPECT_EQ(reads(6500, 20), 0u) << "1000 pulses a second may be more counts";
 }
 
-TEST_F(CountWatchTest, WhatTheEncoderOfAHeldMotorCountsIsWatched) {
+TEST_F(CountWatchTest, TheEncoderCountOfAHeldMotorIsWatched) {
   axis.in_counts = true;
   EXPECT_EQ(reads(5000, 5), 0u) << "other units are no other count";
   EXPECT_EQ(reads(0, 10), 1u);

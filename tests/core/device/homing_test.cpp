@@ -32,7 +32,7 @@ TEST(Homing, AWayWithOneDirectionIsRefusedInTheOther) {
   EXPECT_THAT(refused, HasSubstr("Nothing was sent."));
 }
 
-TEST(Homing, WhatTheControllerDoesNotHaveIsRefused) {
+TEST(Homing, AMissingAxisOrHomingModeIsRefused) {
   Catalog c = two_ways();
   EXPECT_THAT(refusal(c, {AxisId{1}, Sign::minus, 0}), HasSubstr("no axis 2"));
   EXPECT_THAT(refusal(c, {AxisId{0}, Sign::minus, 2}), HasSubstr("no homing mode number 2"));

@@ -10,7 +10,7 @@ TEST(InTurn, EachComesOnceBeforeTheFirstComesAgain) {
   for (const int expected : {0, 1, 2, 0}) EXPECT_EQ(turn.next(3), expected);
 }
 
-TEST(InTurn, WhatIsNotWantedIsPassedBy) {
+TEST(InTurn, UnwantedIndicesAreSkipped) {
   InTurn turn;
   const auto odd = [](int i) { return i % 2 == 1; };
   for (const int expected : {1, 3, 1}) EXPECT_EQ(turn.next(5, odd), expected);

@@ -96,7 +96,7 @@ TEST_F(PieceSyncTest, AllHaveToGoOn) {
   EXPECT_TRUE(first.may_begin(0));
 }
 
-TEST_F(PieceSyncTest, WhatEndsForOneEndsForAll) {
+TEST_F(PieceSyncTest, AControllerThatLeavesEndsTheRunForAll) {
   both_take_part();
   second.leave();
   EXPECT_TRUE(first.has_ended());

@@ -90,7 +90,7 @@ TEST_F(PiecesTogetherTest, OneThatStaysHasNothingToDo) {
   EXPECT_EQ(acts_of(both[1])[3], "to 500 at 1000");
 }
 
-TEST_F(PiecesTogetherTest, WhatIsLeftBeginsWithTheToolUpWhereItWas) {
+TEST_F(PiecesTogetherTest, TheRestBeginsWithTheToolUpAtTheStartOfItsLine) {
   draw_a_line();
   s.steps.push_back({seq::Pen{true}});
   go(0, 0);
@@ -120,7 +120,7 @@ TEST_F(PiecesTogetherTest, AnArcBecomesChords) {
   EXPECT_EQ(acts_of(parts()[0]).size(), 1 + 2 + 1 + 7 + 1u);
 }
 
-TEST_F(PiecesTogetherTest, WhatTheyCannotDoTogetherIsRefusedWithItsStep) {
+TEST_F(PiecesTogetherTest, AStepThatCannotBeSharedIsRefusedWithItsNumber) {
   s.steps.push_back({seq::Home{}});
   const auto made = pieces_together(s, bus, 0);
   ASSERT_FALSE(made);

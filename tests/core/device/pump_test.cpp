@@ -257,7 +257,7 @@ TEST_F(PumpTest, AStopInItsOwnWordsPushesNoOtherAsideAndWaitsForNone) {
   EXPECT_THAT(news(), ElementsAre("go")) << "and the way is free again";
 }
 
-TEST_F(PumpTest, WhatWaitsBehindAProcedureIsRefusedWhenAStopComes) {
+TEST_F(PumpTest, AStopRefusesCommandsThatWaitBehindAProcedure) {
   post(intent::LoadProgram(0, "text"));
   time.run_for(Millis(5));
   const IntentId move = post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
@@ -396,7 +396,7 @@ TEST_F(PumpTest, AStopIsWrittenToAnOpenWireWhateverTheLinkIsThoughtToBe) {
   EXPECT_THAT(sentence(stop), HasSubstr("does not answer"));
 }
 
-TEST_F(PumpTest, WhileAStopIsOwedTheWireIsTriedEveryQuarterOfASecond) {
+TEST_F(PumpTest, WhileAStopIsPendingTheWireIsTriedEveryQuarterOfASecond) {
   post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   time.run_for(Millis(50));
   lose_it();
@@ -416,7 +416,7 @@ TEST_F(PumpTest, WhileAStopIsOwedTheWireIsTriedEveryQuarterOfASecond) {
   EXPECT_THAT(notices, testing::Each(testing::Not(HasSubstr("It is stopped now")))) << "nothing ran any more";
 }
 
-TEST_F(PumpTest, WhatStillRunsWhenAnOwedStopComesThroughIsReported) {
+TEST_F(PumpTest, AMotionStillRunningWhenAPendingStopGetsThroughIsReported) {
   post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   time.run_for(Millis(50));
   machine.deaf_to_stops = true;
@@ -432,7 +432,7 @@ TEST_F(PumpTest, WhatStillRunsWhenAnOwedStopComesThroughIsReported) {
 }
 
 // Another host may have begun something since, or begin it before the wire is back.
-TEST_F(PumpTest, AStopWhileTheLinkIsLostIsOwedAlsoWhereAllStood) {
+TEST_F(PumpTest, AStopWithoutALinkIsPendingEvenWhenAllAxesStood) {
   lose_it();
   post(intent::Stop());
   time.run_for(std::chrono::seconds(1));
@@ -446,7 +446,7 @@ TEST_F(PumpTest, AStopWhileTheLinkIsLostIsOwedAlsoWhereAllStood) {
 }
 
 // A driver knows no more after a loss what its axes do; what they did is told until it is known again.
-TEST_F(PumpTest, WhatMovedAtALossIsTakenToGoOnUntilTheLinkIsGoodAgain) {
+TEST_F(PumpTest, AMotionAtALossIsTakenToGoOnUntilTheLinkIsGood) {
   post(intent::MoveTo({{AxisId{0}, Steps(400)}}));
   time.run_for(Millis(50));
   EXPECT_FALSE(latest.link.when_lost.any());
@@ -460,7 +460,7 @@ TEST_F(PumpTest, WhatMovedAtALossIsTakenToGoOnUntilTheLinkIsGoodAgain) {
   EXPECT_FALSE(latest.link.when_lost.any());
 }
 
-TEST_F(PumpTest, WhatStoodAtALossIsNotTakenToGoOn) {
+TEST_F(PumpTest, AnAxisAtRestAtALossIsNotTakenToMove) {
   silent = true;
   while (latest.link.state != LinkState::lost) time.run_for(Millis(10));
   EXPECT_FALSE(latest.under_way().any());

@@ -112,7 +112,7 @@ TEST(Refusals, WhereItStandsByItsCountIsOnlyTrusted) {
   EXPECT_TRUE(std::holds_alternative<intent::SetPosition>(stands_at(now, AxisId{0}, Steps(240))));
 }
 
-TEST(Refusals, WhatIsNotAsItWasSentIsNamedAtClosing) {
+TEST(Refusals, ATornProgramIsNamedAtClosing) {
   Snapshot now;
   Catalog slots, threads;
   slots.program.slot_word = "Program";

@@ -77,7 +77,7 @@ TEST(RefusedSteps, AllAreReportedAndTheRestIsWritten) {
   EXPECT_EQ(p.step_of_line, (std::vector<int>{0, 1, 1, 2, 3, 4, 1, 1, 5, 6, -1}));
 }
 
-TEST(RefusedSteps, WhatFollowsOneIsNotRefusedBecauseOfIt) {
+TEST(RefusedSteps, AStepBehindARefusedOneIsNotRefusedForIt) {
   const Partial p = write_partly(
       "pmx-4ex-sa",
       {{move_to(5e9, 0)}, {seq::Arc{4.9e9, 0, 90, {}}}, {move_to(0, 0)}, {seq::Arc{100, 0, 360, {}}}});

@@ -43,7 +43,7 @@ TEST_F(TargetCheck, TheTargetsAreThoseOfTheMove) {
   EXPECT_THAT(*check_move(catalog, now, all, MoveBase::position), ElementsAre(Steps(950), Steps(-1000)));
 }
 
-TEST_F(TargetCheck, WhatTheControllerCannotReachIsRefused) {
+TEST_F(TargetCheck, UnreachableTargetsAreRefused) {
   EXPECT_THAT(refusal({{AxisId{2}, Steps(0)}}), HasSubstr("There is no axis 3. Nothing was sent."));
   EXPECT_THAT(refusal({{AxisId{0}, Steps(0)}, {AxisId{1}, Steps(1001)}}),
               HasSubstr("Position 1001 of axis B lies outside its range, -1000 to 1000. Nothing was sent."));

@@ -66,7 +66,7 @@ TEST(ToolOff, OtherTextDoesNotMentionIt) {
     EXPECT_THAT(tool_off_in(text).value(), IsEmpty()) << text;
 }
 
-TEST(ToolOff, WhatIsNotUnderstoodIsNamedByItsLine) {
+TEST(ToolOff, AMalformedToolOffListIsNamedByItsLine) {
   for (const char* list : {"", " output 1", " output off", " output 1 off,", " 1 off", " output 1 offside",
                            " output -1 off", " output 99999999999 off"}) {
     const auto tool = tool_off_in(std::string("X1\n; Tool off:") + list + "\nX2");

@@ -40,7 +40,7 @@ TEST_F(TransferProgressTest, WithoutATotalNoTimeIsReported) {
   EXPECT_EQ(shown.left, Duration{});
 }
 
-TEST_F(TransferProgressTest, WhatIsWrittenStaysKnownWhenItIsBrokenOff) {
+TEST_F(TransferProgressTest, WrittenLinesStayKnownWhenATransferIsBrokenOff) {
   progress.begin(0, now);
   progress.enter(Phase::writing, 302);
   EXPECT_EQ(report_written(shown), "at most the first of its 302 lines is written");

@@ -88,7 +88,7 @@ TEST(Chains, AnArcThatIsTurnedRoundGoesTheOtherWay) {
   EXPECT_EQ(chains[0].curves[1].degrees, -180);
 }
 
-TEST(Chains, WhatLiesFurtherApartOrOnAHiddenLayerIsNotJoined) {
+TEST(Chains, PathsFurtherApartOrOnAHiddenLayerAreNotJoined) {
   const auto chains = join(
       drawing_of({path_from({0, 0}, {1, 0}), path_from({1.01, 0}, {2, 0}), path_from({1, 0}, {1, 5}, 1)}),
       0.001);

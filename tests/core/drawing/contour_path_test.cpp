@@ -36,7 +36,7 @@ TEST(ContourPath, LegsFollowEachOtherBehindTheLeadIn) {
   EXPECT_NEAR(path.points.back().y, 100, 1e-9);
 }
 
-TEST(ContourPath, WhatMakesNoWayIsPassedOver) {
+TEST(ContourPath, StepsWithoutLengthArePassedOver) {
   sequence::Contour c;
   c.steps = {
       straight_to(0, 0), {sequence::Arc{0, 0, 90, {}}}, {sequence::Arc{5, 0, 0, {}}}, straight_to(3, 4)};

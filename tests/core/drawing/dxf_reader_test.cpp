@@ -192,7 +192,7 @@ TEST(DxfReader, ACircleStaysACircleOnlyWhereItIsOne) {
   expect_box(stretched, -3, -1, 3, 1, 0.001);
 }
 
-TEST(DxfReader, WhatIsSeenFromBelowIsMirrored) {
+TEST(DxfReader, EntitiesSeenFromBelowAreMirrored) {
   const Drawing d = read(file(groups({{0, "ARC"},
                                       {8, "0"},
                                       {10, 5},
@@ -253,7 +253,7 @@ TEST(DxfReader, TheUnitIsTheFiles) {
   EXPECT_EQ(with_unit(4).version, "AC1015");
 }
 
-TEST(DxfReader, WhatCannotBeDrawnIsNamedWithItsPlace) {
+TEST(DxfReader, UnsupportedEntitiesAreNamedWithTheirPlace) {
   const Drawing d = read(file(
       line(0, 0, 1, 0) + groups({{0, "TEXT"}, {8, "0"}, {10, 0}, {20, 0}, {30, 0}, {40, 1}, {1, "margin"}}) +
       groups({{0, "MLINE"}, {8, "0"}, {2, "STANDARD"}}) +
@@ -282,7 +282,7 @@ TEST(DxfReader, WhatCannotBeDrawnIsNamedWithItsPlace) {
             "INSERT 92: there is no block nowhere\n");
 }
 
-TEST(DxfReader, WhatIsLeftOutIsFoundInTheDrawing) {
+TEST(DxfReader, EntitiesLeftOutAreLocatedInTheDrawing) {
   const std::string text =
       "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n10\n0\n20\n0\n"
       "0\nTEXT\n10\n5\n20\n6\n1\nin a block\n0\nENDBLK\n0\nENDSEC\n"
@@ -348,7 +348,7 @@ TEST(DxfReader, ABlockThatContainsItselfEnds) {
 }
 
 // A LEADER behind the end once made the parser ask for four gigabytes.
-TEST(DxfReader, WhatFollowsTheEndOfAFileIsNotRead) {
+TEST(DxfReader, EntitiesBehindTheEndOfTheFileAreNotRead) {
   const Drawing d = read(file(line(0, 0, 1, 1)) + groups({{0, "LEADER"}, {8, "0"}, {76, "99999999"}}) +
                          line(0, 0, 500, 500));
   EXPECT_EQ(d.paths.size(), 1u);

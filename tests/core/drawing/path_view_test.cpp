@@ -25,7 +25,7 @@ TEST(PathView, ShowsAllOfABoxWithEqualScales) {
   EXPECT_NEAR((low.x + high.x) / 2, 200, 1e-9);
 }
 
-TEST(PathView, WhatLiesUnderThePointerStaysThereWhenItComesNearer) {
+TEST(PathView, ZoomKeepsThePointUnderThePointer) {
   PathView view(box_of({0, 0}, {100, 100}), 500, 300, true);
   const Point3 kept = view.from_px({37, 211});
   for (int i = 0; i < 30; ++i) view.zoom({37, 211}, 1.25);
@@ -93,7 +93,7 @@ TEST(Projection, StandardViewsShowTheirAxes) {
   EXPECT_LT(iso.to_px({0, 0, 30}).y, origin.y) << "and the third upwards";
 }
 
-TEST(Projection, WhatIsNearIsLarger) {
+TEST(Projection, NearObjectsAreLarger) {
   const PathView front = seen(views::front);
   const auto width = [&](double y) { return front.to_px({100, y, 0}).x - front.to_px({0, y, 0}).x; };
   EXPECT_GT(width(0), width(60) * 1.1);

@@ -13,7 +13,7 @@
 namespace hw::drawing {
 namespace {
 
-TEST(ToolPath, WhatGoesStraightOnIsOneLine) {
+TEST(ToolPath, CollinearSegmentsBecomeOneLine) {
   ToolPath path;
   for (int i = 0; i < 100; ++i) path.go({i * 1.0, i * 2.0}, {i + 1.0, i * 2.0 + 2}, true, 3);
   path.go({100, 200}, {100, 150}, true, 3);

@@ -48,7 +48,7 @@ TEST_F(PlantBench, APowerCycleIsOffThenOn) {
   EXPECT_EQ(power, (std::vector<bool>{false, true, false}));
 }
 
-TEST_F(PlantBench, WhatIsNotThereIsRefused) {
+TEST_F(PlantBench, OperationsThatTheBenchLacksAreRefused) {
   EXPECT_THAT(refusal(bench::Jam(AxisId{2}, true)), HasSubstr("no axis number 3. Nothing was changed."));
   EXPECT_THAT(refusal(bench::Input(1, true)), HasSubstr("The bench of this controller cannot do that"));
   AxisPlace half;

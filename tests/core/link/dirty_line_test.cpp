@@ -59,7 +59,7 @@ TEST_F(DirtyLineTest, ALateAnswerIsNotTakenForTheNext) {
   EXPECT_EQ(station.times_cleaned(), 1u);
 }
 
-TEST_F(DirtyLineTest, WhatMayBeALateAnswerLeavesItsOwnOwed) {
+TEST_F(DirtyLineTest, AReplyThatMayBeALateOneLeavesTheLineDirty) {
   miss();
   time.run_for(Millis(2500));
   Answer greeting;
@@ -75,7 +75,7 @@ TEST_F(DirtyLineTest, WhatMayBeALateAnswerLeavesItsOwnOwed) {
   EXPECT_FALSE(station.is_dirty()) << "nothing comes so late";
 }
 
-TEST_F(DirtyLineTest, WhatComesBeforeTheLineIsSilentDelaysTheQuestion) {
+TEST_F(DirtyLineTest, BytesBeforeSilenceDelayTheQuestion) {
   miss();
   Answer next;
   ask_number(next);
@@ -166,7 +166,7 @@ TEST_F(DirtyLineTest, EachAttemptAsksSomethingElseAndWaitsLonger) {
   EXPECT_EQ(*second.result, "9\r");
 }
 
-TEST_F(DirtyLineTest, WhatMakesNoSenseLeavesItDirty) {
+TEST_F(DirtyLineTest, AGarbledReplyLeavesTheLineDirty) {
   miss();
   Answer next;
   ask_number(next);

@@ -114,7 +114,7 @@ TEST(TalkMeasure, TheSameAnswerTwiceIsASecondAnswerHoweverItEnds) {
   EXPECT_EQ(talk.recorder.measure().wrong, 0u);
 }
 
-TEST(TalkMeasure, WhatIsAskedAgainWithoutAnAnswerWasMissed) {
+TEST(TalkMeasure, AQuestionRepeatedWithoutAReplyCountsAsUnanswered) {
   Talk talk;
   talk.ask("@01PX\r");
   talk.ask("@01PX\r");

@@ -24,7 +24,7 @@ TEST_F(LinkLog, AMissedAnswerAndWhatCameInstead) {
   EXPECT_THAT(log.text(), HasSubstr("link: 03: bytes not understood: \"+00\"\n"));
 }
 
-TEST_F(LinkLog, WhatIsDroppedForAStop) {
+TEST_F(LinkLog, CommandsDroppedForAStopAreLogged) {
   Answer first, second;
   start("X", ReplyShape::line(), Priority::poll, first);
   start("Y", ReplyShape::line(), Priority::poll, second);

@@ -22,7 +22,7 @@ TEST_F(LinkTest, AnAnswerWithoutEndIsGivenUpByItsLength) {
   }
 }
 
-TEST_F(LinkTest, WhatLooksLikeABeginningForEverIsNotKept) {
+TEST_F(LinkTest, AnEndlessUnsolicitedMessageIsNotKept) {
   std::size_t longest = 0;
   station.unsolicited = [&](std::string_view bytes) {
     longest = std::max(longest, bytes.size());
@@ -124,7 +124,7 @@ TEST_F(LinkTest, AnUnansweredQuestionEndsAtItsDeadlineAndALateReplyIsNotTakenFor
   EXPECT_EQ(station.statistics().unparsed_bytes, 9u);
 }
 
-TEST_F(LinkTest, WhatComesBeforeTheReplyIsHandedOver) {
+TEST_F(LinkTest, TextBeforeTheReplyIsPassedOn) {
   std::string unsolicited;
   station.unsolicited = [&](std::string_view bytes) { return unsolicited += bytes, bytes.size(); };
   Answer answer;
@@ -218,7 +218,7 @@ TEST_F(LinkTest, AListWithoutAnEndMarkEndsWhenTheWireIsQuiet) {
   EXPECT_EQ(recorded, *list.result) << "the record has what the asker got";
 }
 
-TEST_F(LinkTest, WhatNeedsNoReplyIsDoneWhenTheWireHasCarriedIt) {
+TEST_F(LinkTest, ACommandWithoutAReplyIsDoneWhenTheWireHasCarriedIt) {
   wire->rate_ = 9600;
   Answer line, next, stop;
   start("I1M400\r", ReplyShape::nothing(), Priority::transfer, line);
@@ -321,7 +321,7 @@ TEST_F(BusTest, ADeviceThatIsSilentIsTheOnlyOneThatMisses) {
   EXPECT_EQ(other.statistics().misses_in_a_row, 0);
 }
 
-TEST_F(BusTest, AnAnswerThatIsOwedIsKnownToAllOnTheWire) {
+TEST_F(BusTest, AnOutstandingReplyIsKnownToAllOnTheWire) {
   const auto miss = [&] {
     Answer silent;
     start_on(station, "@01PX\r", ReplyShape::line(), Priority::poll, silent);
@@ -341,7 +341,7 @@ TEST_F(BusTest, AnAnswerThatIsOwedIsKnownToAllOnTheWire) {
 
 // A driver that sees to late answers by their looks needs no pause, and an answer that looks different is no
 // reason to doubt another's.
-TEST_F(BusTest, WhatLooksDifferentIsNotWaitedFor) {
+TEST_F(BusTest, AReplyOfAnotherKindIsNotWaitedFor) {
   constexpr ReplyKind name{1}, number{2};
   Answer silent, next;
   station.unmistakable = [](const OutstandingReplies&, Instant) { return std::nullopt; };

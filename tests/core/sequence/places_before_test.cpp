@@ -161,7 +161,7 @@ TEST_F(PlacesBefore, OfAnAxisUntilItIsHomedOnlyEarlierTargetsAreListed) {
   EXPECT_FALSE(reach().endless_plus[0]);
 }
 
-TEST_F(PlacesBefore, WhatTheToolMovesIsMovedByTheStepsThatLiftOrLowerIt) {
+TEST_F(PlacesBefore, PenStepsMoveTheToolAxes) {
   s.pen_down = {to({}, -1)};
   s.steps = {{Repeat{2, {{Pen{false}}, {Jog{0}}}}}};
   EXPECT_TRUE(is_moved(s, 0));

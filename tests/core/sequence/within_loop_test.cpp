@@ -77,7 +77,7 @@ TEST(WithinLoop, OneWithoutEndGoesOnWithoutEnd) {
   EXPECT_EQ(behind(rest->rest), (StepList{{moved(1, 5)}, {Repeat{0, round}}}));
 }
 
-TEST(WithinLoop, WhatIsInNoLoopAndPassesThatAreNotMadeAreRefused) {
+TEST(WithinLoop, StepsOutsideLoopsAndMissingPassesAreRefused) {
   EXPECT_FALSE(loops_around(stairs(), 0));
   EXPECT_FALSE(loops_around(stairs(), 1)) << "the loop itself";
   EXPECT_FALSE(loops_around(stairs(), 4));

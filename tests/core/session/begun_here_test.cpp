@@ -41,7 +41,7 @@ TEST_F(BegunHereTest, AMoveIsUntilItHasBeenSeenAtRest) {
   EXPECT_FALSE(begun.any());
 }
 
-TEST_F(BegunHereTest, WhatTheFrontPanelMovesAfterwardsIsNot) {
+TEST_F(BegunHereTest, AMoveFromTheFrontPanelAfterwardsIsNotBegunHere) {
   BegunHere begun(catalog);
   begun.posted(intent::Home(AxisId{0}, Sign::minus));
   for (int i = 0; i < 3; ++i) round(begun, Activity::idle);

@@ -79,14 +79,14 @@ TEST(HostileFiles, TheLineIsNamed) {
   EXPECT_THAT(read.error().sentence(), HasSubstr("line 3: a name has too many parts"));
 }
 
-TEST(HostileFiles, WhatIsOrdinaryIsRead) {
+TEST(HostileFiles, AnOrdinaryFileIsRead) {
   const auto read = parse_backup(
       "model = 'x' # [[[[ a.b.c\n[programs]\n0 = \"\"\"\n" + again("[.", 1000) + "\n\"\"\"\n", "p.toml");
   ASSERT_TRUE(read) << read.error().sentence();
   EXPECT_GE(read->programs.at(0).size(), 2000u);
 }
 
-TEST(HostileFiles, WhatIsKeptAndNestedIsPutAside) {
+TEST(HostileFiles, DeeplyNestedKeptFilesArePutAside) {
   const std::string deep = again("[", 500'000);
   for (const std::string& value : {deep, deep + again("]", 500'000), again("{\"a\":", 100'000)}) {
     test::Folder folder;
@@ -288,7 +288,7 @@ TEST(KeptFiles, AreForTheirOwnerOnly) {
   expect_private(folders);
 }
 
-TEST(KeptFiles, WhatIsPutAsideIsForItsOwnerOnlyToo) {
+TEST(KeptFiles, FilesPutAsideAreForTheirOwnerOnlyToo) {
   for (const char* bytes : {"not json", "{\"version\": 99}"}) {
     test::Folder folder;
     const UserFolders folders = UserFolders::below(folder.path());
@@ -301,7 +301,7 @@ TEST(KeptFiles, WhatIsPutAsideIsForItsOwnerOnlyToo) {
   }
 }
 
-TEST(KeptFiles, WhatWasOpenToOthersIsClosedWhenItIsWritten) {
+TEST(KeptFiles, FilesOpenToOthersAreRestrictedWhenWritten) {
   test::Folder folder;
   const UserFolders folders = UserFolders::below(folder.path());
   const auto path = folder.put("state/unsaved/" + file_name_for("k") + ".json", "{}");

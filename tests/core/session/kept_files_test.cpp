@@ -156,7 +156,7 @@ TEST(Recent, KeepsTheLastTwelve) {
   EXPECT_EQ(recent.list().front().address, "vxm@tcp:h:19");
 }
 
-TEST(Recent, WhatWasClosedByHandIsNotOpenedAgainWithTheOthers) {
+TEST(Recent, AConnectionClosedByHandIsNotReopenedWithTheOthers) {
   test::Folder folder;
   const UserFolders folders = UserFolders::below(folder.path());
   {

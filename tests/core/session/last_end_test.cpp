@@ -27,7 +27,7 @@ TEST(LastEnds, AreTakenOnce) {
   EXPECT_TRUE(ends.take()->empty());
 }
 
-TEST(LastEnds, WhatIsConfirmedLaterTakesThePlaceOfWhatWasWrittenFirst) {
+TEST(LastEnds, AConfirmedEndReplacesTheOneWrittenFirst) {
   test::Folder folder;
   const LastEnds ends(UserFolders::below(folder.path()));
   LastEnd first = some_end(), other = some_end();

@@ -47,7 +47,7 @@ TEST(ParameterFile, ComesBackAsWritten) {
   EXPECT_EQ(again->parameters[1].value, -3);
 }
 
-TEST(ParameterFile, WhatDoesNotSuitIsNamedWithItsLine) {
+TEST(ParameterFile, UnsuitableValuesAreNamedWithTheirLine) {
   const auto file = parse_backup(
       "model = \"toy\"\n[parameters]\nj1M = 9000\nXY = 1\nM1 = 3\n\"B!\" = 0\n"
       "[programs]\n7 = \"I1M1\"\n",

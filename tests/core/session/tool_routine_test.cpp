@@ -47,7 +47,7 @@ TEST_F(ToolRoutine, AxesOutputsAndWaitsInTheirOrder) {
   EXPECT_EQ(axes[2], (sequence::Axis{"Z", 50})) << "it has joined those that draw";
 }
 
-TEST_F(ToolRoutine, WhatIsWrittenReadsBackTheSame) {
+TEST_F(ToolRoutine, AWrittenRoutineReadsBackTheSame) {
   const char* text = "Z to -2.5, U to 7, DO2 on, wait 250.5 ms, Z to 0";
   const auto steps = read(text);
   ASSERT_TRUE(steps) << steps.error().sentence();
@@ -62,7 +62,7 @@ TEST_F(ToolRoutine, NothingIsARoutineToo) {
   }
 }
 
-TEST_F(ToolRoutine, WhatIsNotUnderstoodIsNamedWithAnExample) {
+TEST_F(ToolRoutine, ARoutineThatIsNotUnderstoodIsRefusedWithAnExample) {
   EXPECT_THAT(refused("DO2 on, wait a bit"), HasSubstr("\"wait a bit\" is not understood."));
   EXPECT_THAT(refused("wait -3"), HasSubstr("not understood"));
   EXPECT_THAT(refused("Z to there"), HasSubstr("not understood"));

@@ -113,7 +113,7 @@ TEST(ArcusCodec, EachModelSpellsItsOwnWay) {
   EXPECT_EQ(move_command(dmx_forms(), {{0, -1000}}), "X-1000");
 }
 
-TEST(ArcusCodec, WhatMovesIsKnown) {
+TEST(ArcusCodec, CommandsThatMoveAreRecognised) {
   for (const char* text : {"X1000", "X-5", "X1000Y1000", "JX+", "HX+0", "TX500", "SR0=1", "GS1", "CIRP0:0",
                            "ARCN0:0:1:2", "I1:2:3:4", "SSPDX=300", "JE=1"})
     EXPECT_TRUE(may_move(pmx_forms(), text)) << text;

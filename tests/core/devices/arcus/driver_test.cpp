@@ -80,7 +80,7 @@ TEST_F(DriverTest, TwoDevicesWithOneAddressAreNoticed) {
 }
 
 // The terminal explains every line, those of the console itself first of all.
-TEST_F(DriverTest, WhateverTheDriverAsksTheHelpKnows) {
+TEST_F(DriverTest, TheHelpKnowsEveryCommandThatTheDriverSends) {
   for (const std::string_view model : {pmx, dmx}) {
     start(model);
     perform(intent::Watch(~0u));
@@ -258,7 +258,7 @@ TEST_F(Restart, MotorPowerThatASubroutineSwitchesShowsNone) {
 }
 
 // A stop reads positions too: what it has read is no news any more for the round behind it.
-TEST_F(Restart, WhatAStopHasReadFirstShowsItAllTheSame) {
+TEST_F(Restart, PositionsThatAStopReadFirstShowItToo) {
   start(dmx);
   perform(intent::MoveTo(targets({500})));
   ASSERT_TRUE(wait_idle());
@@ -320,7 +320,7 @@ TEST_F(Restart, AtZeroAfterAnUnknownProgramNothingIsLeftToStore) {
   EXPECT_FALSE(latest.unsaved_setup) << all_notices();
 }
 
-TEST_F(Restart, WhatAProgramSetsIsNone) {
+TEST_F(Restart, ParametersThatAProgramSetsShowNone) {
   start(pmx);
   run(40);
   ASSERT_EQ(perform(intent::SetParam("HSY", 2345)), "");
@@ -332,7 +332,7 @@ TEST_F(Restart, WhatAProgramSetsIsNone) {
 }
 
 // By hand, too.
-TEST_F(Restart, WhatIsSetBackNeedsNoStore) {
+TEST_F(Restart, AParameterSetBackNeedsNoStore) {
   start(pmx);
   run(40);
   ASSERT_EQ(perform(intent::SetParam("SLTX", 30)), "");
@@ -345,7 +345,7 @@ TEST_F(Restart, WhatIsSetBackNeedsNoStore) {
   EXPECT_TRUE(latest.unsaved_setup) << "the variable is not stored";
 }
 
-TEST_F(Restart, WhatIsNone) {
+TEST_F(Restart, OrdinaryUseShowsNone) {
   start(pmx);
   run(40);
   perform(intent::SetParam("HS", 5000));

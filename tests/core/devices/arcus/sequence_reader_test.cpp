@@ -39,7 +39,7 @@ TEST_F(ArcusReading, TheManualsLoopIsOne) {
                                    "A remark after a command is not shown."));
 }
 
-TEST_F(ArcusReading, WhatNoBlockHoldsStaysItsOwnText) {
+TEST_F(ArcusReading, StatementsThatNoBlockHoldsStayTheirOwnText) {
   EXPECT_EQ(blocks("ABS\nX100\nIF DI1=1\n  X200 ; there\n  V1=V1+1\nENDIF\nV2=MSTX\nDO1=1\nEND\n"),
             "Move to X 1\nown: IF DI1=1\n  X200 ; there\n  V1=V1+1\nENDIF\nV2=MSTX\nOutput 1 on\n");
   EXPECT_EQ(blocks("ABS\nXV1\nX100\nEND\n"), "own: ABS\nXV1\nMove to X 1\n");
@@ -85,7 +85,7 @@ TEST_F(ArcusReading, AxesOfDifferentUnitsAreReadInSteps) {
   EXPECT_THAT(remarks, ElementsAre(HasSubstr("speeds are in pulses")));
 }
 
-TEST_F(ArcusReading, WhatHasNoPlaceInBlocksIsRefusedByItsLine) {
+TEST_F(ArcusReading, StatementsWithoutAPlaceInBlocksAreRefusedByTheirLine) {
   EXPECT_EQ(blocks("X0\nGOSUB 3\nEND\nSUB 3\nX1\nENDSUB\n"),
             "Line 4: a subroutine. Blocks have none but those of the tool.");
   EXPECT_EQ(blocks("X0\nEND\nPRG 1\nX1\nEND\n"),

@@ -97,7 +97,7 @@ TEST_F(ProgramDownload, LinesWrittenByAnotherHostAreFoundAndRewritten) {
   }
 }
 
-TEST_F(ProgramDownload, WhatWasReadIsKnownToo) {
+TEST_F(ProgramDownload, LinesReadByAnUploadAreKnownToo) {
   start("dmx-k-sa");
   download(program());
   loop->operate(bench::PowerCycle());

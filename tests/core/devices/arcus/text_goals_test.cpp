@@ -69,7 +69,7 @@ TEST_F(ArcusTextGoals, ArcsReachAsFarAsTheirCircle) {
   EXPECT_EQ(pmx("I10:20:30:500"), (Places{at(0, 10), at(1, 20), at(2, 30)}));
 }
 
-TEST_F(ArcusTextGoals, WhatMovesNothingOrHomesHasNone) {
+TEST_F(ArcusTextGoals, HomingAndCommandsWithoutMotionHaveNoTarget) {
   for (const char* text :
        {"PX", "HX+0", "LY-", "ZX+", "EO=15", "HSX=2000", "X", "X=5", "STOPX", "XX4", "X4Q", ""})
     EXPECT_EQ(pmx(text), Places{}) << text;

@@ -116,7 +116,7 @@ TEST(Vme58Catalog, GainsStandUnderTheHeadingThatTheTuningPanelLooksFor) {
   EXPECT_EQ(catalog->params[static_cast<std::size_t>(kp)].group, servo_loop_group);
 }
 
-TEST(Vme58Catalog, WhatTheDataSheetLeavesOpenIsShownAsConfigured) {
+TEST(Vme58Catalog, ValuesLeftOpenByTheDataSheetAreShownAsConfigured) {
   const auto catalog = make_catalog({{"velocity", "3000"},
                                      {"acceleration", "7000"},
                                      {"base_velocity", "20"},

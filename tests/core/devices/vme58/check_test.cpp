@@ -102,7 +102,7 @@ TEST(Vme58Check, ATabIsASpace) {
   EXPECT_EQ(errors("AX\tXQ").at(0).column, 3);
 }
 
-TEST(Vme58Check, WhatMayBeMeantIsAWarning) {
+TEST(Vme58Check, AGoWithoutAPreparedMoveIsAWarning) {
   const auto report = check_program("AX GO");
   EXPECT_FALSE(report.has_errors());
   ASSERT_EQ(report.problems.size(), 1u);
@@ -114,7 +114,7 @@ std::string warning(std::string_view text) {
   EXPECT_FALSE(report.has_errors()) << text;
   return report.problems.empty() ? "" : report.problems.back().sentence;
 }
-TEST(Vme58Check, WhatTheBoardMakesOfItIsAWarning) {
+TEST(Vme58Check, ACommandThatTheBoardAltersOrRejectsIsAWarning) {
   EXPECT_EQ(warning("AX MR1.5 GO"), "1.5 is taken as 1: MR takes whole numbers unless UU is on.");
   EXPECT_EQ(warning("AX UU100 MR1.5 GO"), "");
   EXPECT_EQ(warning("AX WT2.5"), "2.5 is taken as 2: WT takes whole numbers.");

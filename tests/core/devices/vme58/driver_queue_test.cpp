@@ -85,7 +85,7 @@ TEST_F(Vme58DriverQueues, AndLoopsAreReadoutsToo) {
   EXPECT_EQ(reported("RQX"), vme58::queue_entries);
 }
 
-TEST_F(Vme58DriverQueues, WhatWaitsInTheRingIsLeftThereByTheRoundsOfStatus) {
+TEST_F(Vme58DriverQueues, StatusRoundsLeaveCommandsWaitingInTheRing) {
   watch_queues();
   std::string text = "AX VL1000 AC1000000 MR3000 GO ";
   for (int i = 0; i < 99; ++i) text += "WT1 ";

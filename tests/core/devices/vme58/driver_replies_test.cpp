@@ -248,7 +248,7 @@ TEST_F(Vme58Liar, ACommandErrorOfWhatAStopHasTakenBackIsNotReported) {
   EXPECT_EQ(reported(), "");
 }
 
-TEST_F(Vme58Liar, WhatIsNoVme58IsNotTakenForOne) {
+TEST_F(Vme58Liar, ADeviceThatIsNoVme58IsNotTakenForOne) {
   lie = [](BusCycle& c) {
     const bool reply =
         c.offset >= vme58::at::input_buffer && c.offset < vme58::at::input_buffer + 2 * vme58::ring_cells;

@@ -64,7 +64,7 @@ TEST_F(Vme58Speeds, TheSpeedOfAStepIsGivenBackBehindALostLinkToo) {
   }
 }
 
-TEST_F(Vme58Speeds, WhatIsSetDuringAStepStays) {
+TEST_F(Vme58Speeds, ASpeedSetDuringAStepStays) {
   ASSERT_EQ(step(0, 300, Pps{500}).state, IntentState::done);
   ASSERT_EQ(perform(intent::SetParam("VLX", 5000)).state, IntentState::done);
   ASSERT_TRUE(becomes_idle());
@@ -80,7 +80,7 @@ TEST_F(Vme58Speeds, WhatIsSetDuringAStepStays) {
   EXPECT_EQ(on_board(1), 8000);
 }
 
-TEST_F(Vme58Speeds, WhatStillWaitsInAQueueIsGivenBackToo) {
+TEST_F(Vme58Speeds, ASpeedWaitingInAQueueIsRestoredToo) {
   for (const char* text : {"AX MR3000 GO ID VL500", "AX WT3000 VL500", "AX MR3000 GO ID"}) {
     const bool by_param = !std::string_view(text).ends_with("VL500");
     ASSERT_TRUE(query("AX VL1000 AC1000000"));
@@ -102,7 +102,7 @@ TEST_F(Vme58Speeds, WhatStillWaitsInAQueueIsGivenBackToo) {
   }
 }
 
-TEST_F(Vme58Speeds, WhatAStopHasTakenOutOfAQueueIsNotGivenBack) {
+TEST_F(Vme58Speeds, ASpeedThatAStopTookOutOfAQueueIsNotRestored) {
   for (const char* how : {"", "AX FL", "SA"}) {
     ASSERT_TRUE(query("AX VL1000 AC1000000"));
     run(Seconds(1));
@@ -120,7 +120,7 @@ TEST_F(Vme58Speeds, WhatAStopHasTakenOutOfAQueueIsNotGivenBack) {
   }
 }
 
-TEST_F(Vme58Speeds, WhatATextMovesBehindAStepGoesAtTheAxisOwnSpeed) {
+TEST_F(Vme58Speeds, AMoveByTextBehindAStepGoesAtTheAxisOwnSpeed) {
   for (const char* text : {"AX MR100000 GO", "AA MR100000; GO", "AX LS2 MR50000 GO LE", "AX"}) {
     ASSERT_TRUE(query("AX VL1000 AC1000000"));
     run(Seconds(1));
@@ -161,7 +161,7 @@ TEST_F(Vme58Speeds, AJogBehindASpeedThatStillWaitsGoesAtThat) {
   EXPECT_NEAR(axis(0).speed.value, 500, 1);
 }
 
-TEST_F(Vme58Speeds, WhatComesRightBehindAStopGoesAtTheAxisOwnSpeed) {
+TEST_F(Vme58Speeds, AMotionRightBehindAStopGoesAtTheAxisOwnSpeed) {
   ASSERT_TRUE(query("AX VL2000 AC100000"));
   ASSERT_EQ(perform(intent::LoadProgram(0, "AX MR100000 GO")).state, IntentState::done);
   const auto behind_a_stop = [this](IntentBody body) {

@@ -159,7 +159,7 @@ TEST_F(Vme58Stops, TwoAxesThatAreStoppedOneAfterTheOtherRamp) {
   EXPECT_EQ(axis(2).activity, Activity::moving);
 }
 
-TEST_F(Vme58Stops, WhatBeginsBehindAJogGoesOnWhenThatIsLetGo) {
+TEST_F(Vme58Stops, AMotionBegunBehindAJogGoesOnWhenTheJogIsReleased) {
   ASSERT_TRUE(query("AX VL20000 AC5000 AY VL10000 AC100000"));
   session->send(intent::JogStart(AxisId{0}, Sign::plus, Pps{5000}));
   hold_jog(9);

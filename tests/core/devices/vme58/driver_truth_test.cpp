@@ -78,7 +78,7 @@ TEST_F(Vme58Truth, TheQueueOfAllAxesIsWaitedForToo) {
   EXPECT_EQ(axis(1).position, Steps(200));
 }
 
-TEST_F(Vme58Truth, WhatTheBoardDoesAtOnceIsNotWaitedFor) {
+TEST_F(Vme58Truth, ACommandDoneAtOnceIsNotWaitedFor) {
   ASSERT_TRUE(query("AX RP"));
   EXPECT_FALSE(now().working);
   ASSERT_TRUE(query("AX VL5000"));
@@ -111,7 +111,7 @@ TEST_F(Vme58Truth, AProgramThatLeavesASlowJogRunsOn) {
   EXPECT_LT(wait().took, Millis(300));
 }
 
-TEST_F(Vme58Truth, WhatAStopHasEmptiedIsNotWaitedFor) {
+TEST_F(Vme58Truth, CommandsThatAStopRemovedAreNotWaitedFor) {
   ASSERT_TRUE(query("AX WT60000 MR10 GO"));
   run(Millis(500));
   session->send(intent::Stop());
@@ -294,7 +294,7 @@ TEST_F(Vme58Truth, TheSideStaysWhileTheAxisComesAwayFromTheSwitch) {
   EXPECT_FALSE(axis().limit_minus);
 }
 
-TEST_F(Vme58Truth, WhatComesAwayTowardsPlusStoodOnTheMinusSwitch) {
+TEST_F(Vme58Truth, AnAxisThatLeavesTowardsPlusStoodOnTheMinusSwitch) {
   operate_limit(Sign::minus, true);
   ASSERT_EQ(move_by(200, Pps{500}).state, IntentState::done);
   EXPECT_EQ(wait().reason, "");

@@ -38,7 +38,7 @@ class Vme58Urgent : public test::Vme58Rig {
 constexpr const char* waits_in_wq = "WT60000 WQ MR50000 GO";
 constexpr const char* more_than_a_queue = "WT1 ";
 
-TEST_F(Vme58Urgent, AStopThatIsOwedIsMailedBeforeTheRingIsUsed) {
+TEST_F(Vme58Urgent, APendingStopIsMailedBeforeTheRingIsUsed) {
   for (const bool full : {false, true})
     for (const bool at_once : {false, true}) {
       turn();
@@ -200,7 +200,7 @@ TEST_F(Vme58DeafMailbox, ATypedStopIsWatchedToo) {
 }
 
 // Between two motions an axis rests: a look at its speed alone takes that for the stop's doing.
-TEST_F(Vme58DeafMailbox, WhatWaitsInAQueueIsNotTakenForStopped) {
+TEST_F(Vme58DeafMailbox, AnAxisWaitingInItsQueueIsNotTakenForStopped) {
   for (const char* typed : {"", "SA"}) {
     ASSERT_TRUE(query("AX AC1000000 LS200 MR1 GO WT30 LE"));
     run(Millis(300));

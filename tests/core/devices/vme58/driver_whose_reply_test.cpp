@@ -179,7 +179,7 @@ class Vme58WhoseReply : public test::Vme58Rig, public testing::WithParamInterfac
   Instant switched_at_{};
 };
 
-TEST_P(Vme58WhoseReply, WhatIsShownIsTheTruthOrNotKnown) {
+TEST_P(Vme58WhoseReply, ShownValuesAreTrueOrUnknown) {
   ASSERT_TRUE(query("AX LP100 AZ LP300 AT LP400 AY HF AX HN AT WT60000 MR10 GO AX"));
   run(Seconds(2));
   session->send(intent::Watch(~0u));

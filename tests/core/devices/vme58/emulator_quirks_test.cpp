@@ -22,7 +22,7 @@ TEST(Vme58Quirks, TheLetterDOutlivesAReadingOfTheDoneRegister) {
   EXPECT_EQ(rig.value("QA"), "PNNN");
 }
 
-TEST(Vme58Quirks, WhatClearsTheLetterClearsTheBitToo) {
+TEST(Vme58Quirks, CommandsThatClearTheLetterClearTheBitToo) {
   for (const char* clears : {"RA ", "RI ", "CA ", "IC ", "SD ", "MR10 GD "}) {
     Rig rig;
     rig.send("AX ID ");

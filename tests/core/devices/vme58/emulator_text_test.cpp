@@ -21,7 +21,7 @@ TEST(Vme58Text, AStartUpOfAHostParses) {
   EXPECT_EQ(rig.axis_value('X', AxisValue::acceleration), 500);
 }
 
-TEST(Vme58Text, WhatItDoesNotKnowIsDroppedAndTheRestWorks) {
+TEST(Vme58Text, UnknownTextIsDroppedAndTheRestWorks) {
   Rig rig;
   rig.send("AX KK2 ID ");  // a filter coefficient of other firmware
   EXPECT_TRUE(rig.command_error());

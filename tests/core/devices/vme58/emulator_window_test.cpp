@@ -122,7 +122,7 @@ TEST(Vme58Window, PowerOffLeavesAnEmptySlot) {
   EXPECT_EQ(rig.value("WY"), "VME58 ver 2.24-8S");
 }
 
-TEST(Vme58Window, WhatIsSentToABootingBoardIsLost) {
+TEST(Vme58Window, TextSentToABootingBoardIsLost) {
   Rig rig;
   rig.send("RS");
   rig.send("AX LP5 ");
@@ -158,7 +158,7 @@ TEST(Vme58Window, OptionsThatMakeNoSense) {
   }
 }
 
-TEST(Vme58Window, WhatTheDataSheetLeavesOpenCanBeConfigured) {
+TEST(Vme58Window, ValuesLeftOpenByTheDataSheetCanBeConfigured) {
   Rig rig(DeviceOptions{{"velocity", "3000"},
                         {"acceleration", "7000"},
                         {"base_velocity", "20"},

@@ -77,7 +77,7 @@ TEST(Vme58Rehearsal, SpeedStairsAreGoneUpBeforeWhatStandsBehindThem) {
   EXPECT_LT(r.duration_s, 7.5);
 }
 
-TEST(Vme58Rehearsal, WhatTheBoardRejectsIsNamedByItsLine) {
+TEST(Vme58Rehearsal, ARejectedCommandEndsTheRehearsal) {
   const Rehearsal r = rehearse("AX HF\nMA1000 GO ID\n");
   EXPECT_FALSE(r.finished);
   EXPECT_THAT(r.error, HasSubstr("rejects"));
@@ -213,7 +213,7 @@ TEST(Vme58Rehearsal, TheTextGoesOnBehindAPowerCut) {
   EXPECT_EQ(r.axes[0].position, 7);
 }
 
-TEST(Vme58Rehearsal, WhatIsRejectedInAQueueIsNamed) {
+TEST(Vme58Rehearsal, ACommandRejectedInAQueueIsNamedByItsLine) {
   EXPECT_EQ(rehearse("AX AC10000\nMP MV500,500 MA800\nGO RP").error, "Line 3: the board rejects \"GO\".");
   EXPECT_EQ(rehearse("AX AC10000 MP MV500,500 MM MV100,500 SP0").error,
             "Line 1: the board rejects \"MV100,500\".");
@@ -318,7 +318,7 @@ TEST(Vme58Rehearsal, NamesWhatCannotBeKnown) {
   EXPECT_THAT(names, testing::ElementsAre("KPX=0.00", "HDX=0 counts", "UUX=off: positions in counts"));
 }
 
-TEST(Vme58Rehearsal, WhatWaitsInAQueueIsNamedByItsNumber) {
+TEST(Vme58Rehearsal, WaitingQueueEntriesAreNamedByTheirNumber) {
   const Catalog catalog = make_catalog({}).value();
   auto state = known_board(catalog);
   state->now.working = true;
@@ -346,7 +346,7 @@ TEST(Vme58Rehearsal, ALimitIsReportedWithAxisDirectionLineAndTime) {
   EXPECT_NEAR(r.stops[0].t, 0.5, 0.01);
 }
 
-TEST(Vme58Rehearsal, WhatNeverEndsIsReportedWithItsLine) {
+TEST(Vme58Rehearsal, AnEndlessProgramIsReportedWithItsLine) {
   RehearseOptions options;
   options.for_seconds = 3;
   const Rehearsal loop = rehearse("AX VL1000 AC10000\nWH\nMR10 GO\nMR-10 GO\nWG\n", options);

@@ -139,7 +139,7 @@ TEST_F(Vme58Sequence, SpeedStairsGoOneWay) {
   EXPECT_THAT(write({{loop}}), HasSubstr("Step 1.1 (speed_stairs): a speed staircase is in the queue"));
 }
 
-TEST_F(Vme58Sequence, WhatItCannotDoIsRefused) {
+TEST_F(Vme58Sequence, UnsupportedStepsAreRefused) {
   EXPECT_THAT(write({{seq::WaitInput{3, true}}}), HasSubstr("waits until an input is off"));
   EXPECT_THAT(write({{seq::MoveOnInput{}}}), HasSubstr("Step 1 (move_on_input): "));
   EXPECT_THAT(write({{seq::Stop{}}}), HasSubstr("Step 1 (stop): "));

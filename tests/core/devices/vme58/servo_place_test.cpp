@@ -15,7 +15,7 @@ struct ServoPlaceTest : testing::Test {
   }
 };
 
-TEST_F(ServoPlaceTest, WhatStandsWhenItIsFirstSeenHasLongStoodThere) {
+TEST_F(ServoPlaceTest, AnAxisAtRestWhenFirstSeenHasLongStoodThere) {
   EXPECT_EQ(place.place(), Loop::unknown);
   EXPECT_EQ(look(0, false, 10), Loop::in_place);
   place = {};

@@ -36,7 +36,7 @@ TEST_F(Vme58TextGoals, OnlyGoMoves) {
   EXPECT_EQ(goals("AX MA4600 GO GO"), Places{at(0, 4600)}) << "the second finds nothing prepared";
 }
 
-TEST_F(Vme58TextGoals, WhatAnEarlierTextHasPreparedGoesToo) {
+TEST_F(Vme58TextGoals, AMovePreparedByAnEarlierTextGoesToo) {
   for (const TextCommand& command : read_commands("AX MA700", context)) prepared.note(command, units);
   EXPECT_EQ(goals("GO"), Places{at(0, 700)});
   EXPECT_EQ(goals("MR5 GO"), Places{at(0, 1005)}) << "replaced";

@@ -32,7 +32,7 @@ TEST(Vme58TextMeaning, OfAllCommandsFourStop) {
   }
 }
 
-TEST(Vme58TextMeaning, WhatTheBoardAnswersIsAnsweredAtOnceAndNothingElse) {
+TEST(Vme58TextMeaning, QueriesAndNothingElseAreAnsweredAtOnce) {
   for (const Form& form : form_table()) {
     if (form.is("dpram") || form.is("register")) continue;
     const bool answered = read("AX " + form.example).answered == Answered::at_once;

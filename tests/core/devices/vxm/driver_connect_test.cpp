@@ -256,7 +256,7 @@ TEST_F(VxmDriverConnect, ASlaveThatLosesItsPowerRestartsItsMasterOnce) {
 }
 
 // H would switch a hold off as well as on, and K costs steps.
-TEST_F(VxmDriverConnect, AStopThatIsOwedIsDUntilTheStateIsKnown) {
+TEST_F(VxmDriverConnect, APendingStopIsDUntilTheStateIsKnown) {
   start();
   ASSERT_EQ(perform(intent::LoadProgram(0, "I1M90000\nI1M-90000\nL0\n")), "");
   ASSERT_EQ(perform(intent::RunProgram(0)), "");

@@ -17,7 +17,7 @@ struct Owed {
   const char* asked;  ///< empty: nothing
 };
 
-TEST(VxmLooks, WhatIsOwedDecidesWhatMayBeAsked) {
+TEST(VxmLooks, OutstandingRepliesDecideWhichQuestionMayBeAsked) {
   const Instant now{};
   const std::vector<Owed> table = {
       {"X", {reply_kind::position}, "V"},

@@ -124,7 +124,7 @@ TEST_F(VxmDriverTalk, TextIsSentAsItIsAndClosed) {
   EXPECT_EQ(latest.slot_bytes_used[0], 4);
 }
 
-TEST_F(VxmDriverTalk, WhatTheControllerWouldDropSilentlyIsReported) {
+TEST_F(VxmDriverTalk, CommandsThatTheControllerIgnoresSilentlyAreReported) {
   start();
   EXPECT_EQ(send("U10,"), "");
   EXPECT_TRUE(

@@ -59,7 +59,7 @@ TEST_F(VxmDriverText, TheReplyToAQuestionRightBehindAProgramIsAwaited) {
   }
 }
 
-TEST_F(VxmDriverText, WhatIsTakenBeforeADroppedQuestionIsKnown) {
+TEST_F(VxmDriverText, ACommandTakenBeforeADroppedQuestionIsKnown) {
   EXPECT_EQ(send("PM-0,I1M2000,I1M-9000,R"), "");
   run(0.2);
   EXPECT_EQ(send("H"), "");
@@ -82,13 +82,13 @@ TEST_F(VxmDriverText, AnErrorReportInsteadOfAnAnswerIsTheAnswer) {
   EXPECT_TRUE(listens()) << "and is put on-line again";
 }
 
-TEST_F(VxmDriverText, WhatCameBeforeAnErrorReportIsAnAnswerToo) {
+TEST_F(VxmDriverText, AReplyBeforeAnErrorReportIsPassedOn) {
   EXPECT_EQ(query("XZ"), "+0000000\rEB");
   run(2);
   EXPECT_TRUE(listens());
 }
 
-TEST_F(VxmDriverText, WhatCameBeforeAMissingAnswerIsReported) {
+TEST_F(VxmDriverText, AReplyBeforeAMissingOneIsReported) {
   std::string answer;
   bool came = false;
   asio::co_spawn(io, ask(*pump, "XY", Millis(300), answer, came), asio::detached);
@@ -98,7 +98,7 @@ TEST_F(VxmDriverText, WhatCameBeforeAMissingAnswerIsReported) {
   EXPECT_THAT(answer, HasSubstr("Before that it answered +0000000"));
 }
 
-TEST_F(VxmDriverText, WhatAStateDropsIsReported) {
+TEST_F(VxmDriverText, ACommandThatTheStateDropsIsReported) {
   EXPECT_EQ(send("PM-0,L5,I1M4000,R"), "");
   run(0.5);
   EXPECT_EQ(send("I1M5,X"), "");
@@ -116,7 +116,7 @@ TEST_F(VxmDriverText, WhatAStateDropsIsReported) {
       "typed.");
 }
 
-TEST_F(VxmDriverText, WhatIsDroppedIsNotTakenForDone) {
+TEST_F(VxmDriverText, ADroppedCommandIsNotTakenForDone) {
   EXPECT_EQ(send("PM-0,L5,I1M4000,R"), "");
   run(0.5);
   EXPECT_EQ(send("PM3,"), "");
@@ -130,7 +130,7 @@ TEST_F(VxmDriverText, WhatIsDroppedIsNotTakenForDone) {
   EXPECT_EQ(latest.program.run, RunState::idle) << "R is dropped in Local mode";
 }
 
-TEST_F(VxmDriverText, WhatIsStoredByTextIsNotCalledUnsaved) {
+TEST_F(VxmDriverText, ChangesStoredByTextAreNotCalledUnsaved) {
   EXPECT_EQ(send("setM1M4,PM-0,I1M5,"), "");
   EXPECT_TRUE(latest.unsaved_setup && latest.unsaved_programs);
   EXPECT_EQ(query("rsm", 10), "^");
@@ -141,7 +141,7 @@ TEST_F(VxmDriverText, WhatIsStoredByTextIsNotCalledUnsaved) {
   EXPECT_TRUE(latest.unsaved_setup) << "set after it was stored";
 }
 
-TEST_F(VxmDriverText, WhatTheControllerDidNotConfirmIsNotCalledStored) {
+TEST_F(VxmDriverText, AnUnconfirmedStoreIsNotCalledStored) {
   EXPECT_EQ(send("setM1M4,"), "");
   loop->operate(bench::Power(false));
   EXPECT_THAT(query("rsm", 30), HasSubstr("did not answer"));
@@ -299,7 +299,7 @@ TEST_F(VxmDriverText, ClosingWaitsForNoAnswer) {
   EXPECT_THAT(answer, HasSubstr("lost"));
 }
 
-TEST_F(VxmDriverText, WhatChangesAProgramIsCounted) {
+TEST_F(VxmDriverText, CommandsThatChangeAProgramAreCounted) {
   for (const char* text : {"PM-0", "PM-3,I1M5", "I1M400", "C", "del1", "res"}) {
     const std::uint32_t before = latest.program_changes;
     send(text);

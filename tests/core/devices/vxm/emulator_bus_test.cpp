@@ -311,7 +311,7 @@ TEST(VxmSupply, ABreakerTakesThePowerUntilAHandPushesItIn) {
   EXPECT_EQ(rig.ask("FX"), "+0000000\r");
 }
 
-TEST(VxmSupply, WhatIsNotThereIsRefused) {
+TEST(VxmSupply, OperatingAMissingSlaveIsRefused) {
   Rig rig;
   EXPECT_FALSE(rig.emulator().operate(bench::Power(false, slave)));
   EXPECT_FALSE(rig.emulator().operate(bench::Breaker(slave, true)));

@@ -167,7 +167,7 @@ TEST(VxmMotion, ASwitchOperatedByHandStopsToo) {
   EXPECT_NEAR(static_cast<double>(rig.position(1)), 7000, 1);
 }
 
-TEST(VxmMotion, WhatALimitDoesToTheProgram) {
+TEST(VxmMotion, ModeODecidesWhetherALimitEndsTheProgram) {
   struct Mode {
     const char* set;
     const char* output;

@@ -81,7 +81,7 @@ TEST(VxmNonstop, EachIndexSignalsTheHost) {
   EXPECT_EQ(rig.position(1), 900);
 }
 
-TEST(VxmNonstop, WhatIsNotAllowedRaisesEC) {
+TEST(VxmNonstop, ForbiddenCommandsRaiseEC) {
   expect_ec("U7,I1M100,");
   expect_ec("U77,I1M100,I2M100,U9,");
   expect_ec("U77,I1M100,P1,I1M100,U9,");

@@ -15,7 +15,7 @@ std::string unsolicited(std::string_view bytes) {
   return explain(bytes, Way::received, TrafficKind::unsolicited, "");
 }
 
-TEST(VxmExplain, WhatIsSent) {
+TEST(VxmExplain, SentCommandsAreExplained) {
   EXPECT_EQ(sent("PM-0\r"), "choose program 0 and empty it");
   EXPECT_EQ(sent("S1M2000\r"), "store: motor 1 at 2000 steps/s");
   EXPECT_EQ(sent("L-20\r"), "store: loop 20 times, motor 1 reverses each pass");
@@ -31,7 +31,7 @@ TEST(VxmExplain, WhatIsSent) {
   EXPECT_EQ(sent("\r"), "end of a command");
 }
 
-TEST(VxmExplain, WhatComesBack) {
+TEST(VxmExplain, RepliesAreExplained) {
   EXPECT_EQ(answer("229\r", "M"), "229 of 256 bytes free, 27 used");
   EXPECT_EQ(answer("+0003120\r", "X"), "motor 1 at 3120 steps");
   EXPECT_EQ(answer("-0000020\r", "Z"), "motor 3 at -20 steps");

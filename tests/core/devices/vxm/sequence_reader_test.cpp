@@ -60,7 +60,7 @@ TEST_F(VxmReading, OtherProgramsAreLoopsWaitsAndTheTool) {
   EXPECT_EQ(blocks("PM-0\nI1M4\nJ1\nPM-1\nI1M5\n"), "Line 3: no block goes to another program in this way.");
 }
 
-TEST_F(VxmReading, WhatActsAtOnceIsNoProgram) {
+TEST_F(VxmReading, CommandsThatActAtOnceAreNoProgram) {
   EXPECT_EQ(blocks("I1M400\nR\n"), "Line 2: R acts at once. Blocks are programs.");
   EXPECT_THAT(blocks("I1M400\nI9M4\n"), StartsWith("Line 2: "));
   EXPECT_THAT(blocks("IA1M-0\n"), HasSubstr("Line 1: no block sets zero here"));

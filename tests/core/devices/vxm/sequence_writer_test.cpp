@@ -101,7 +101,7 @@ TEST_F(VxmSequence, ALoopWithinALoopIsAProgramOfItsOwn) {
   EXPECT_EQ(write({{seq::Delay{200}}, {outer}}), "PM-0\nP2\nLM0\nJM1\nP1\nL0\nPM-1 ; a loop\nI1M400\nLA3\n");
 }
 
-TEST_F(VxmSequence, WhatItCannotDoIsRefused) {
+TEST_F(VxmSequence, UnsupportedStepsAreRefused) {
   EXPECT_THAT(write({{seq::Arc{}}}), HasSubstr("Step 1 (arc): a VXM moves one motor at a time"));
   EXPECT_THAT(write({{seq::Jog{}}}), HasSubstr("Step 1 (jog): "));
   EXPECT_THAT(write({{seq::Stop{}}}), HasSubstr("Step 1 (stop): "));

@@ -44,7 +44,7 @@ TEST_F(VxmTextGoals, DistancesCountFromWhereItStands) {
   EXPECT_EQ(goals("IA1M4000,R"), Places{4000});
 }
 
-TEST_F(VxmTextGoals, WhatTheProgramHeldBeforeRunsToo) {
+TEST_F(VxmTextGoals, CommandsAlreadyInTheProgramRunToo) {
   held.contents[0] = commands_of({"I1M300"});
   EXPECT_EQ(goals("R"), Places{300});
   EXPECT_EQ(goals("I1M50,R"), (Places{300, 350}));
@@ -119,7 +119,7 @@ TEST_F(VxmTextGoals, ACountThatIsSetCountsFromThere) {
   EXPECT_EQ(goals("I1M-0,IA1M-0,I1M50,R"), Places{50});
 }
 
-TEST_F(VxmTextGoals, WhatTheControllerDropsSendsNothingAnywhere) {
+TEST_F(VxmTextGoals, CommandsThatTheControllerDropsMoveNothing) {
   Listening runs;
   runs.running = true;
   EXPECT_EQ(goals("I1M4000,R", runs), Places{});

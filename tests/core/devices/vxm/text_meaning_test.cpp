@@ -40,7 +40,7 @@ TEST(VxmTextMeaning, KAndResStopEverythingDOnlyAMoveOfTheConsole) {
   EXPECT_EQ(meaning("D", program_runs).stops, Stops::some) << "the program goes on";
 }
 
-TEST(VxmTextMeaning, WhatFollowsAStopCountsOnlyIfItStartsSomething) {
+TEST(VxmTextMeaning, CommandsBehindAStopCountOnlyIfTheyStartSomething) {
   for (const char* text : {"K,PM1,", " K", "K;done\r", "KV", "res,F"})
     EXPECT_EQ(meaning(text, own_move).stops, Stops::all) << text;
   for (const char* text : {"K,R", "KPM1,R", "D,R", "V,K", "FK", "", "k", ";K"})

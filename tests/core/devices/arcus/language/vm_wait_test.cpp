@@ -36,7 +36,7 @@ TEST(VmWait, AMoveOfItsOwnEndsWhatAnAxisHadInCommon) {
   EXPECT_EQ(bench.vm.variable(1), 1);
 }
 
-TEST(VmWait, WhatSeesToAnErrorWaitsForItsOwnAxis) {
+TEST(VmWait, AnErrorSubroutineWaitsForItsOwnAxis) {
   Workbench bench = at_work("X1000Y1000\nWAITX\nEND\nSUB 31\nWAITX\nECLEARY\nV2=1\nSR0=0\nENDSUB");
   bench.run_ms(20);
   bench.host.error[1] = true;
