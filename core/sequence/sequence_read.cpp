@@ -202,7 +202,7 @@ class FieldReader {
 template <std::size_t... Is>
 Step::Body body_of(std::size_t kind, std::index_sequence<Is...>) {
   Step::Body body;
-  ((kind == Is && (body.emplace<Is>(), true)) || ...);
+  static_cast<void>(((kind == Is && (body.emplace<Is>(), true)) || ...));
   return body;
 }
 

@@ -90,7 +90,7 @@ struct PmxBuffer : testing::Test {
 };
 
 TEST_F(PmxBuffer, IsNeverEmptyWhileLinesLastLongerThanTheyTakeToBeSent) {
-  const int arcs = 1500;
+  const int arcs = 5000;
   const double speed = 8;
   const Drawn drawn = draw(arcs, speed);
   const double of_a_chord = 2 * std::acos(1 - beside / radius);
