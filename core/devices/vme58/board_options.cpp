@@ -20,7 +20,7 @@ Result<> read_variant(const std::string& value, BoardOptions& board) {
   std::string known;
   for (const Variant& v : variants) known += fmt::format("{}{}", known.empty() ? "" : ", ", v.name);
   return wrong_option(fmt::format("variant={} is not a model of the VME58.", value),
-                      fmt::format("Its models, in capital or small letters: {}.", known));
+                      fmt::format("Give one of these models, in capital or small letters: {}.", known));
 }
 
 /// IIO: one letter for each group of four lines; the last two lines are always outputs.
@@ -46,8 +46,7 @@ Result<> read_firmware(const std::string& value, BoardOptions& board) {
   if (!value.empty() && value.size() <= longest &&
       value.find_first_not_of("0123456789.") == std::string::npos)
     return {};
-  return wrong_option(fmt::format("firmware={} is not a revision.", value),
-                      "A revision is a number like 2.24.");
+  return wrong_option(fmt::format("firmware={} is not a revision.", value), "Give a number like 2.24.");
 }
 
 constexpr struct {
@@ -67,7 +66,7 @@ Result<> read_quirks(const std::string& value, BoardOptions& board) {
                                     [name](const auto& quirk) { return quirk.name == name; });
     if (found == std::end(quirks))
       return wrong_option(fmt::format("A VME58 has no quirk \"{}\".", name),
-                          "Its quirks are padded, oms-kk and deaf-mailbox.");
+                          "Give padded, oms-kk or deaf-mailbox.");
     board.*found->set = true;
   }
   return {};

@@ -84,11 +84,14 @@ Task<Result<>> Finding::ask_axes(std::string_view reported_variant) {
   if (!positions) co_return fail(positions.error());
   const auto fields = decode_numbers(*positions);
   const int axes = fields ? static_cast<int>(fields->size()) : 0;
-  if (axes != variant_.axes() || (!reported_variant.empty() && find_variant(reported_variant) != &variant_))
+  const bool is_named = !reported_variant.empty();
+  if (axes != variant_.axes() || (is_named && find_variant(reported_variant) != &variant_)) {
+    const std::string own = is_named ? fmt::format("variant={}", reported_variant) : "its own variant";
     wire_.report(Notice::Kind::warning,
-                 fmt::format("Open the board with variant={3} in its address: it reports that it is a {0} "
+                 fmt::format("Open the board with {3} in its address: it reports that it is a {0} "
                              "with {1} axes, and it was opened as an {2}.",
-                             snapshot_.identity.model.view(), axes, catalog_.name, reported_variant));
+                             snapshot_.identity.model.view(), axes, catalog_.name, own));
+  }
   co_return Result<>();
 }
 
