@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "gui/model/tab.h"
+#include "gui/surface/ui.h"
 #include "panels/measures.h"
 
 namespace hw::panels {

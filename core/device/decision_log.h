@@ -21,17 +21,19 @@ log::Subject& driver_log(const Catalog& catalog);
 }  // namespace hw
 
 template <>
-struct fmt::formatter<hw::LogName> : fmt::formatter<std::string> {
+struct fmt::formatter<hw::LogName> {
+  constexpr auto parse(fmt::format_parse_context& context) { return context.begin(); }
   auto format(hw::LogName name, fmt::format_context& context) const {
     const hw::Catalog& c = name.catalog;
-    return fmt::formatter<std::string>::format(
-        c.address < 0 ? c.model : fmt::format("{} {:02}", c.model, c.address), context);
+    return c.address < 0 ? fmt::format_to(context.out(), "{}", c.model)
+                         : fmt::format_to(context.out(), "{} {:02}", c.model, c.address);
   }
 };
 
 /// "stop 7 (axis 2, at once)".
 template <>
-struct fmt::formatter<hw::StopOrder> : fmt::formatter<std::string> {
+struct fmt::formatter<hw::StopOrder> {
+  constexpr auto parse(fmt::format_parse_context& context) { return context.begin(); }
   auto format(const hw::StopOrder& order, fmt::format_context& context) const {
     using What = hw::StopOrder::What;
     constexpr const char* names[] = {"everything",      "a jog",    "a program",
@@ -40,6 +42,6 @@ struct fmt::formatter<hw::StopOrder> : fmt::formatter<std::string> {
     std::string what = names[static_cast<std::size_t>(order.what)];
     if (order.axis >= 0) what += fmt::format(", axis {}", order.axis + 1);
     if (order.at_once) what += ", at once";
-    return fmt::formatter<std::string>::format(fmt::format("stop {} ({})", order.number, what), context);
+    return fmt::format_to(context.out(), "stop {} ({})", order.number, what);
   }
 };
