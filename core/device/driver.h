@@ -19,7 +19,8 @@
 // - Outputs. SetOutput reads them back: outputs, outputs_known and io_seen_at are those of that reading.
 // - Snapshot. The driver writes the axes (but travel and backlash), programs, threads, the feed, transfers,
 //   parameters, readouts, lines and its identity. The pump writes link, pieces, outcomes and poll_period. A
-//   value that is no longer known is marked as unknown, never left as it was.
+//   value that is no longer known is marked as unknown, never left as it was: a parameter before it is
+//   written, since a stop may cut the reading that follows.
 // - Restarts. The driver increments Snapshot::restarts when the controller was switched on or reset, and in
 //   the same round marks each axis that may have lost its zero (PositionTrust::doubt).
 // - Notices. info, warning, error: a sentence for the user. program: the listing of a slot for which the
@@ -77,14 +78,16 @@ class Driver {
   /// Send a stop completely, without waiting for its effect: returns when the controller has acknowledged the
   /// last byte, or has had the time to. Must work before connect(), and in any state. Called again for the
   /// same order until stop_progress() says that it stands. Returns the answer to a stop that the user typed,
-  /// if any.
+  /// if any. If that answer is a refusal, return a fault of kind `controller`: the console's own stop
+  /// follows.
   virtual Task<Result<std::string>> stop(const StopOrder& order) = 0;
   /// The exact bytes that stop a jog of these axes (a bit each) when the console is dead, for the attached
-  /// wire. They begin with the line end that closes a torn message. They may stop more axes where the
-  /// controller has no smaller stop.
+  /// wire. They begin with what discards a torn message, or at least ends it: on most wires a line end. They
+  /// may stop more axes where the controller has no smaller stop.
   [[nodiscard]] virtual LastWill last_will(unsigned axes) const = 0;
   /// How far the stop has come, by the status round that has just ended. If this asks for a stop that the
-  /// user typed to be repeated, the console's own stop is sent.
+  /// user typed to be repeated, the console's own stop is sent. Never called for `tool`, whose outputs the
+  /// pump reads, nor for a typed stop that is answered at once.
   virtual StopProgress stop_progress(const StopOrder& order) = 0;
   /// The wire is gone: forget motions under way, replies awaited and commands half sent, mark positions as
   /// unknown, send nothing. The set-up may be left as it was read; connect() reads it again. The station is

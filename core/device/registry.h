@@ -40,8 +40,8 @@ struct DeviceType {
   /// Explains bytes on the wire in a sentence, for the terminal. Pure; any thread. Null: nothing is
   /// explained.
   std::string (*explain)(std::string_view bytes, Way way, TrafficKind kind, std::string_view asked);
-  /// A harmless question for `scan`, sent at each rate of the catalog. NN stands for the two digits of a
-  /// device on a shared line. Empty: the model is not searched for.
+  /// A question for `scan`, sent at each rate of the catalog; harmless to every other listed controller too.
+  /// NN stands for the two digits of a device on a shared line. Empty: the model is not searched for.
   std::string_view probe;
   /// Whether the reply to `probe` is this model's. Null if `probe` is empty.
   bool (*recognises)(std::string_view reply);
